@@ -1,0 +1,17 @@
+//! rayscope: a workbench that shows the whole story of a ray.
+//!
+//! Data flows one way: scene file → [`scene`] → [`trace`] → event tree → [`view`] → command line or workbench. The
+//! layers, from the bottom: [`record`], [`math`], then [`shape`], [`csg`] and [`optics`], then [`scene`], [`trace`],
+//! [`view`], and on top [`cli`] and `app`.
+
+#[cfg(feature = "workbench")]
+pub mod app;
+pub mod cli;
+pub mod csg;
+pub mod math;
+pub mod optics;
+pub mod record;
+pub mod scene;
+pub mod shape;
+pub mod trace;
+pub mod view;

@@ -1,0 +1,13 @@
+//! Arithmetic and equations: what every solver is written in and with.
+
+mod double_double;
+mod polynomial;
+mod quadratic;
+mod range;
+mod real;
+
+pub use double_double::DoubleDouble;
+pub use polynomial::{Quartic, evaluate};
+pub use quadratic::Quadratic;
+pub use range::Range;
+pub use real::{Real, dot, scale_to_unit};

@@ -1,0 +1,135 @@
+//! The arithmetic that a solver is written in, as a type: `f32`, `f64` or [`DoubleDouble`](super::DoubleDouble).
+
+use std::fmt::Debug;
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+/// A real number type that the solvers can be instantiated with.
+pub trait Real:
+    Copy
+    + Debug
+    + PartialEq
+    + PartialOrd
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+{
+    /// Unit roundoff u: the largest relative error of one rounding, as an `f64`.
+    const UNIT_ROUNDOFF: f64;
+    /// Zero.
+    const ZERO: Self;
+    /// One.
+    const ONE: Self;
+
+    /// The nearest number of this type.
+    fn from_f64(x: f64) -> Self;
+    /// The nearest `f64`.
+    fn to_f64(self) -> f64;
+    /// The square root; NaN for negative numbers.
+    fn sqrt(self) -> Self;
+    /// The magnitude.
+    fn abs(self) -> Self;
+    /// A non-negative number to a real power.
+    fn powf(self, exponent: Self) -> Self;
+    /// a·b − c·d with an error of at most 2 ulp of the result (Kahan; Jeannerod, Louvet, Muller 2013).
+    fn difference_of_products(a: Self, b: Self, c: Self, d: Self) -> Self;
+
+    /// The smaller one.
+    fn min(self, other: Self) -> Self {
+        if other < self { other } else { self }
+    }
+
+    /// The larger one.
+    fn max(self, other: Self) -> Self {
+        if other > self { other } else { self }
+    }
+
+    /// Whether it is neither infinite nor NaN.
+    fn is_finite(self) -> bool {
+        self.to_f64().is_finite()
+    }
+}
+
+impl Real for f64 {
+    const UNIT_ROUNDOFF: f64 = f64::EPSILON / 2.0;
+    const ZERO: Self = 0.0;
+    const ONE: Self = 1.0;
+
+    fn from_f64(x: f64) -> Self {
+        x
+    }
+
+    fn to_f64(self) -> f64 {
+        self
+    }
+
+    fn sqrt(self) -> Self {
+        self.sqrt()
+    }
+
+    fn abs(self) -> Self {
+        self.abs()
+    }
+
+    fn powf(self, exponent: Self) -> Self {
+        self.powf(exponent)
+    }
+
+    fn difference_of_products(a: Self, b: Self, c: Self, d: Self) -> Self {
+        let (cd, cd_error) = super::double_double::two_product(c, d);
+        let (ab, ab_error) = super::double_double::two_product(a, b);
+        (ab - cd) + (ab_error - cd_error)
+    }
+}
+
+impl Real for f32 {
+    const UNIT_ROUNDOFF: f64 = 0.5 * f32::EPSILON as f64;
+    const ZERO: Self = 0.0;
+    const ONE: Self = 1.0;
+
+    #[expect(clippy::cast_possible_truncation, reason = "rounding to f32 is the purpose")]
+    fn from_f64(x: f64) -> Self {
+        x as Self
+    }
+
+    fn to_f64(self) -> f64 {
+        f64::from(self)
+    }
+
+    fn sqrt(self) -> Self {
+        self.sqrt()
+    }
+
+    fn abs(self) -> Self {
+        self.abs()
+    }
+
+    fn powf(self, exponent: Self) -> Self {
+        self.powf(exponent)
+    }
+
+    #[expect(clippy::cast_possible_truncation, reason = "the products are exact in f64, one rounding is left")]
+    fn difference_of_products(a: Self, b: Self, c: Self, d: Self) -> Self {
+        (f64::from(a) * f64::from(b) - f64::from(c) * f64::from(d)) as Self
+    }
+}
+
+/// The scalar product.
+pub fn dot<A: Real>(a: [A; 3], b: [A; 3]) -> A {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+/// The power of two that brings the largest component of `v` into [1, 2), so that squares neither overflow nor vanish.
+///
+/// Multiplying by a power of two is exact. Zero and non-finite vectors get 1.
+#[must_use]
+pub fn scale_to_unit(v: [f64; 3]) -> f64 {
+    let largest = v[0].abs().max(v[1].abs()).max(v[2].abs());
+    if !largest.is_finite() || largest == 0.0 {
+        return 1.0;
+    }
+    let exponent = ((largest.to_bits() >> 52) & 0x7ff) as i32 - 1023;
+    // The two ends of the range, subnormals among them, have no normal reciprocal.
+    2.0_f64.powi((-exponent).clamp(-1022, 1023))
+}

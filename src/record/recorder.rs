@@ -1,0 +1,58 @@
+//! Who listens while a ray is traced.
+
+use super::{Entry, RayKind};
+
+/// Something that is counted, whatever else is recorded.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Counter {
+    /// A ray of this kind was traced.
+    Ray(RayKind),
+    /// A ray was tested against a primitive; the number is the shape's place in the list of shapes.
+    ShapeTest(usize),
+    /// A ray was tested against an extent.
+    ExtentTest,
+    /// An extent test that spared the work behind it.
+    ExtentMiss,
+}
+
+/// Listens to the one tracing code path. A recorder never answers a question and never changes a result.
+///
+/// Events nest: everything reported between [`begin`](Recorder::begin) and the matching [`end`](Recorder::end) becomes
+/// a child of the event that `end` describes. Descriptions are closures, so that a recorder which does not keep them
+/// pays nothing for them.
+pub trait Recorder {
+    /// Whether descriptions are kept. Work that serves only a description stands behind this constant.
+    const RECORDING: bool;
+
+    /// Opens an event whose description follows with the matching [`end`](Recorder::end).
+    fn begin(&mut self);
+
+    /// Describes and closes the event that was opened last.
+    fn end(&mut self, describe: impl FnOnce() -> Entry);
+
+    /// Counts one occurrence.
+    fn count(&mut self, counter: Counter);
+
+    /// Reports an event without children.
+    fn note(&mut self, describe: impl FnOnce() -> Entry) {
+        self.begin();
+        self.end(describe);
+    }
+}
+
+/// Keeps nothing, and compiles to nothing. Pictures are rendered with it.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct NullRecorder;
+
+impl Recorder for NullRecorder {
+    const RECORDING: bool = false;
+
+    #[inline]
+    fn begin(&mut self) {}
+
+    #[inline]
+    fn end(&mut self, _describe: impl FnOnce() -> Entry) {}
+
+    #[inline]
+    fn count(&mut self, _counter: Counter) {}
+}

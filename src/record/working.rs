@@ -1,0 +1,187 @@
+//! The working behind a number: the formula, the formula with this ray's numbers put in, and the result.
+
+use super::Triple;
+use schemars::JsonSchema;
+use serde::Serialize;
+
+/// A result: a number, a vector or a truth value.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+#[serde(untagged)]
+pub enum Value {
+    /// A plain number; non-finite ones are written as `null`.
+    Number(f64),
+    /// A point, direction or colour.
+    Vector(Triple),
+    /// The outcome of a test.
+    Truth(bool),
+}
+
+impl From<f64> for Value {
+    fn from(number: f64) -> Self {
+        Self::Number(number)
+    }
+}
+
+impl From<Triple> for Value {
+    fn from(vector: Triple) -> Self {
+        Self::Vector(vector)
+    }
+}
+
+impl From<bool> for Value {
+    fn from(truth: bool) -> Self {
+        Self::Truth(truth)
+    }
+}
+
+impl std::fmt::Display for Value {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Number(x) => f.write_str(&format_number(*x)),
+            Self::Vector([x, y, z]) => {
+                write!(f, "({}, {}, {})", format_number(*x), format_number(*y), format_number(*z))
+            }
+            Self::Truth(true) => f.write_str("yes"),
+            Self::Truth(false) => f.write_str("no"),
+        }
+    }
+}
+
+/// One line of working, as a student would write it: `symbol = formula = numbers = result`.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct Working {
+    /// What is worked out, such as `B`.
+    pub symbol: String,
+    /// The general formula, such as `S·c`.
+    pub formula: String,
+    /// The formula with this ray's numbers in place of its symbols.
+    pub numbers: String,
+    /// What came out: the very number that the tracer went on with.
+    pub result: Value,
+}
+
+impl Working {
+    /// Puts `bindings` into `formula`. No number is ever typed: each comes from the value that the tracer used.
+    #[must_use]
+    pub fn new(symbol: &str, formula: &str, bindings: &[(&str, Value)], result: Value) -> Self {
+        Self { symbol: symbol.to_owned(), formula: formula.to_owned(), numbers: substitute(formula, bindings), result }
+    }
+}
+
+/// A number as people read it: six significant digits, no trailing zeros, powers of ten for the very large and small.
+#[must_use]
+pub fn format_number(x: f64) -> String {
+    if x.is_nan() {
+        return "undefined".to_owned();
+    }
+    if x.is_infinite() {
+        return if x > 0.0 { "∞".to_owned() } else { "−∞".to_owned() };
+    }
+    if x == 0.0 {
+        return "0".to_owned();
+    }
+    let magnitude = x.abs();
+    let text = if (1e-4..1e7).contains(&magnitude) {
+        plain_decimal(magnitude)
+    } else {
+        power_of_ten(magnitude)
+    };
+    if x < 0.0 { format!("−{text}") } else { text }
+}
+
+/// Six significant digits without an exponent, trailing zeros removed.
+fn plain_decimal(magnitude: f64) -> String {
+    let digits_before_point = magnitude.log10().floor().max(0.0) + 1.0;
+    // Between 1e-4 and 1e7 the count of digits lies between 1 and 8.
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "1 to 8, see above")]
+    let decimals = 6_usize.saturating_sub(digits_before_point as usize);
+    let leading_zeros = if magnitude < 0.1 { 2 } else { 0 };
+    let text = format!("{magnitude:.*}", decimals + leading_zeros);
+    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
+}
+
+/// Four significant digits and a power of ten in superscript, such as `1.234·10⁻⁹`.
+fn power_of_ten(magnitude: f64) -> String {
+    let scientific = format!("{magnitude:.3e}");
+    let (mantissa, exponent) = scientific.split_once('e').unwrap_or((&scientific, "0"));
+    let mantissa = mantissa.trim_end_matches('0').trim_end_matches('.');
+    let exponent: String = exponent.chars().map(superscript).collect();
+    if mantissa == "1" { format!("10{exponent}") } else { format!("{mantissa}·10{exponent}") }
+}
+
+fn superscript(digit: char) -> char {
+    match digit {
+        '-' => '⁻',
+        '0' => '⁰',
+        '1' => '¹',
+        '2' => '²',
+        '3' => '³',
+        '4' => '⁴',
+        '5' => '⁵',
+        '6' => '⁶',
+        '7' => '⁷',
+        '8' => '⁸',
+        '9' => '⁹',
+        other => other,
+    }
+}
+
+/// Replaces each symbol of `formula` that has a binding; negative numbers are put in parentheses.
+fn substitute(formula: &str, bindings: &[(&str, Value)]) -> String {
+    let mut text = String::with_capacity(formula.len() * 2);
+    let mut rest = formula;
+    while let Some(first) = rest.chars().next() {
+        if !is_symbol(first) {
+            text.push(first);
+            rest = &rest[first.len_utf8()..];
+            continue;
+        }
+        let end = rest.find(|c| !is_symbol(c)).unwrap_or(rest.len());
+        let (word, after) = rest.split_at(end);
+        match bindings.iter().find(|(symbol, _)| *symbol == word) {
+            Some((_, value)) => text.push_str(&in_place(value)),
+            None => text.push_str(word),
+        }
+        rest = after;
+    }
+    text
+}
+
+/// Letters, subscripts and marks that belong to a symbol; superscripts do not (`c²` is the square of `c`).
+fn is_symbol(c: char) -> bool {
+    c.is_alphanumeric() && !matches!(c, '⁰' | '¹' | '²' | '³' | '⁴' | '⁵'..='⁹') || matches!(c, '_' | '′' | '₀'..='₉')
+}
+
+fn in_place(value: &Value) -> String {
+    let text = value.to_string();
+    if text.starts_with('−') || text.contains('·') { format!("({text})") } else { text }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_read_as_people_write_them() {
+        for (number, text) in [
+            (0.0, "0"),
+            (1.0, "1"),
+            (-2.5, "−2.5"),
+            (1234.5678, "1234.57"),
+            (0.000_123_456_7, "0.00012346"),
+            (1e-9, "10⁻⁹"),
+            (-1.5e12, "−1.5·10¹²"),
+            (f64::INFINITY, "∞"),
+            (9_999_999.0, "9999999"),
+        ] {
+            assert_eq!(format_number(number), text);
+        }
+    }
+
+    #[test]
+    fn symbols_are_replaced_whole_and_squares_stay() {
+        let bindings = [("c_x", Value::Number(-2.0)), ("c", Value::Number(7.0)), ("θ₁", Value::Number(0.5))];
+        let line = Working::new("A", "c_x² + c·sin θ₁ + r", &bindings, Value::Number(4.0));
+        assert_eq!(line.numbers, "(−2)² + 7·sin 0.5 + r");
+    }
+}

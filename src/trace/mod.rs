@@ -1,0 +1,18 @@
+//! Tracing: the six steps of § 6.1, shading, spawned rays, whole pictures, and the tree of a recorded pixel.
+
+mod departure;
+mod export;
+mod picture;
+mod pixel;
+mod ray;
+mod shade;
+mod spawn;
+mod tally;
+mod tree;
+
+pub use export::{TRACE_FORMAT, TraceFile, trace_schema};
+pub use picture::{Picture, Progress, render, render_rows, srgb};
+pub use pixel::{record_pixel, record_ray, trace_pixel};
+pub use ray::{Ray, Tracer};
+pub use tally::Tally;
+pub use tree::{RayTree, TreeRecorder};
