@@ -184,7 +184,7 @@ impl Query<'_> {
         let leaf = &self.solid.leaves[index];
         recorder.begin();
         let list = if self.meets(&leaf.name, extent, recorder) {
-            self.primitive::<A, R>(index, leaf, recorder)
+            self.primitive::<A, R>(index, leaf, extent, recorder)
         } else {
             IntervalList::default()
         };
@@ -193,14 +193,19 @@ impl Query<'_> {
     }
 
     /// The primitive's own list: the ray in generic coordinates, its crossings, and the intervals between them.
-    fn primitive<A: Real, R: Recorder>(&self, index: usize, leaf: &Leaf, recorder: &mut R) -> IntervalList {
+    fn primitive<A: Real, R: Recorder>(
+        &self,
+        index: usize,
+        leaf: &Leaf,
+        extent: &Extent,
+        recorder: &mut R,
+    ) -> IntervalList {
         recorder.count(Counter::ShapeTest(leaf.shape.index()));
         recorder.note(|| report::transform(leaf, self.origin, self.direction));
         let ray = leaf.placement.generic_ray::<A>(self.origin, self.direction);
         let mut crossings = Vec::with_capacity(4);
         leaf.shape.crossings(&ray, recorder, &mut crossings);
-        let unbounded = !leaf.shape.bounds().high.is_finite() || !leaf.shape.bounds().low.is_finite();
-        if crossings.is_empty() && unbounded && leaf.shape.implicit(ray.point(A::ZERO)) < 0.0 {
+        if crossings.is_empty() && extent.is_unbounded() && leaf.shape.implicit(ray.point(A::ZERO)) < 0.0 {
             let everything = Interval { enter: None, leave: None };
             return IntervalList { intervals: vec![everything], touches: Vec::new() };
         }

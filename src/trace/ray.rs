@@ -96,17 +96,19 @@ impl<'a> Tracer<'a> {
             ray.media = self.media_around_the_eye(&found);
         }
         let closest = step(&ray, 3, recorder, |recorder| self.find_closest_in_front(&found, recorder));
-        let surface = step(&ray, 4, recorder, |recorder| match &closest {
-            Some(closest) => Some(self.compute_hit_point(&ray, closest, recorder)),
-            None => {
-                recorder.note(|| Entry::new(What::Nothing { background: self.scene.background.to_array() }));
-                None
-            }
+        let surface = step(&ray, 4, recorder, |recorder| {
+            closest.as_ref().map(|closest| self.compute_hit_point(&ray, closest, recorder))
         });
-        match surface {
-            Some(surface) => step(&ray, 5, recorder, |recorder| self.find_colour(&ray, &surface, recorder)),
-            None => self.scene.background,
-        }
+        step(&ray, 5, recorder, |recorder| match &surface {
+            Some(surface) => self.find_colour(&ray, surface, recorder),
+            None => self.see_background(recorder),
+        })
+    }
+
+    /// Step 5 where nothing is hit.
+    fn see_background(&self, recorder: &mut impl Recorder) -> Rgb {
+        recorder.note(|| Entry::new(What::Nothing { background: self.scene.background.to_array() }));
+        self.scene.background
     }
 
     /// Step 5: the colour of the light that returns along the ray from the hit point.
