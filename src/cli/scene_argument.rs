@@ -1,7 +1,7 @@
 //! SCENE on the command line: a file, or the name of an embedded scene.
 
 use super::failure::{Failure, reason};
-use crate::scene::{Image, Scene, embedded_scene, embedded_scenes, load};
+use crate::scene::{Image, MOST_PIXELS, Scene, embedded_scene, embedded_scenes, load};
 use clap::Args;
 use std::fs;
 use std::path::Path;
@@ -27,8 +27,6 @@ pub struct SizeArguments {
 
 /// A side as long as the most pixels of a square picture allow.
 const LONGEST_SIDE: i64 = 65_535;
-/// As in scene files: a picture in memory takes 24 bytes a pixel, 1.5 GB for this many.
-const MOST_PIXELS: u64 = 64_000_000;
 
 impl SceneArgument {
     /// The name as it was given.

@@ -9,19 +9,9 @@ use serde_json::{Map, Value};
 #[derive(Debug)]
 pub enum Request {
     /// All hits of a ray with a solid.
-    Hits {
-        solid: Solid,
-        origin: DVec3,
-        direction: DVec3,
-        arithmetic: Arithmetic,
-    },
+    Hits { solid: Solid, origin: DVec3, direction: DVec3, arithmetic: Arithmetic },
     /// What an interface does to a ray.
-    Interface {
-        direction: DVec3,
-        normal: DVec3,
-        n1: f64,
-        n2: f64,
-    },
+    Interface { direction: DVec3, normal: DVec3, n1: f64, n2: f64 },
 }
 
 /// What the solvers compute in.
