@@ -49,24 +49,64 @@ impl Extent {
 
     /// The times between which the ray is in the box, or none if it misses.
     ///
-    /// Slabs with the far side two ulps out, so that a hit is never lost to rounding (Ize, JCGT 2(2), 2013). A ray
-    /// that lies in a side gives 0 · ∞ = NaN, which the order of `min` and `max` passes over.
+    /// Slabs widened by four roundings at both ends, so that a hit is never lost (after Ize, JCGT 2(2), 2013). A ray
+    /// that lies in a side gives 0 · ∞ = NaN, which `min` and `max` pass over.
     #[must_use]
     pub fn inside(&self, origin: DVec3, direction: DVec3) -> Option<[f64; 2]> {
-        const FAR_PADDING: f64 = 1.0 + 4.0 * f64::EPSILON;
+        const WIDENING: f64 = 4.0 * f64::EPSILON;
         let (mut t_in, mut t_out) = (f64::NEG_INFINITY, f64::INFINITY);
         for axis in 0..3 {
             let reciprocal = 1.0 / direction[axis];
-            let near = (self.low[axis] - origin[axis]) * reciprocal;
-            let far = (self.high[axis] - origin[axis]) * reciprocal;
-            let (near, far) = if reciprocal.is_sign_negative() { (far, near) } else { (near, far) };
-            t_in = t_in.max(near - near.abs() * (FAR_PADDING - 1.0));
-            t_out = t_out.min(far + far.abs() * (FAR_PADDING - 1.0));
+            let low = (self.low[axis] - origin[axis]) * reciprocal;
+            let high = (self.high[axis] - origin[axis]) * reciprocal;
+            let (near, far) = if reciprocal.is_sign_negative() { (high, low) } else { (low, high) };
+            t_in = t_in.max(near * (1.0 - WIDENING.copysign(near)));
+            t_out = t_out.min(far * (1.0 + WIDENING.copysign(far)));
         }
         (t_in <= t_out).then_some([t_in, t_out])
     }
 
+    /// Whether it holds everything, so that testing it is idle.
+    #[must_use]
+    pub fn is_unbounded(&self) -> bool {
+        *self == Self::UNBOUNDED
+    }
+
     fn padded(self, size: DVec3) -> Self {
         Self { low: self.low - size * PADDING, high: self.high + size * PADDING }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const UNIT: Extent = Extent { low: DVec3::NEG_ONE, high: DVec3::ONE };
+
+    #[test]
+    fn a_ray_through_the_box_has_its_two_times() {
+        let [t_in, t_out] = UNIT.inside(DVec3::new(-3.0, 0.5, 0.5), DVec3::X).expect("it hits");
+        assert!((t_in - 2.0).abs() < 1e-14 && t_in <= 2.0);
+        assert!((t_out - 4.0).abs() < 1e-14 && t_out >= 4.0);
+    }
+
+    #[test]
+    fn a_ray_beside_the_box_misses() {
+        assert_eq!(UNIT.inside(DVec3::new(-3.0, 1.5, 0.0), DVec3::X), None);
+        assert_eq!(UNIT.inside(DVec3::new(-3.0, 0.0, 0.0), DVec3::new(1.0, 1.0, 0.0)), None);
+    }
+
+    #[test]
+    fn a_ray_in_a_side_of_the_box_is_not_lost() {
+        assert!(UNIT.inside(DVec3::new(-3.0, 1.0, 0.0), DVec3::X).is_some());
+    }
+
+    #[test]
+    fn an_intersection_is_held_by_less_than_either_operand() {
+        let other = Extent { low: DVec3::ZERO, high: DVec3::splat(3.0) };
+        let both = Extent::of_pair(Operator::Intersection, UNIT, other);
+        assert_eq!(both, Extent { low: DVec3::ZERO, high: DVec3::ONE });
+        assert_eq!(Extent::of_pair(Operator::Difference, UNIT, other), UNIT);
+        assert_eq!(Extent::of_pair(Operator::Union, UNIT, other).high, DVec3::splat(3.0));
     }
 }

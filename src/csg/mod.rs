@@ -4,6 +4,7 @@ mod combine;
 mod extent;
 mod interval_list;
 mod placement;
+mod report;
 mod solid;
 
 pub use extent::Extent;

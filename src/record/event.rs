@@ -137,9 +137,9 @@ pub struct Candidate {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum PlaneSense {
-    /// The ray goes from the outside to the inside: the denominator is positive.
+    /// The ray goes from the outside to the inside: the denominator is negative, for the normal points outward.
     Entering,
-    /// The ray goes from the inside to the outside: the denominator is negative.
+    /// The ray goes from the inside to the outside: the denominator is positive.
     Leaving,
     /// The ray runs beside the plane, on its inside.
     ParallelInside,
@@ -336,8 +336,8 @@ pub enum What {
         name: String,
         /// Its place among the leaves of its object.
         leaf: usize,
-        /// Every hit time that was looked at.
-        candidates: Vec<Candidate>,
+        /// How many hits were found, on the whole line.
+        hits: usize,
     },
     /// The plane table of a cube or convex polyhedron, or of a slab of another shape.
     Planes {
@@ -393,6 +393,12 @@ pub enum What {
         roots: Vec<f64>,
         /// Where d is positive and where it is negative.
         signs: Vec<SignSpan>,
+    },
+    /// Every hit time of a primitive that was looked at, with its fate and the reason. The last event below the
+    /// primitive's own.
+    Roots {
+        /// The hit times, ascending.
+        candidates: Vec<Candidate>,
     },
     /// A node of a CSG tree: left list, right list, combined list.
     Combine {
@@ -504,7 +510,7 @@ pub enum What {
         theta1: f64,
         /// Angle of refraction in degrees; none for total internal reflection.
         theta2: Option<f64>,
-        /// The critical angle in degrees; none where n1 ≤ n2.
+        /// The critical angle in degrees; none where n1 < n2.
         critical: Option<f64>,
         /// Whether all light is reflected.
         total_internal_reflection: bool,

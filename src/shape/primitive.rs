@@ -100,8 +100,9 @@ pub trait Primitive {
     /// the first may be a `Leave` and the last an `Enter`. Touched points without length are no crossings of a closed
     /// solid. The square's are all [`Sense::Touch`].
     ///
-    /// The working is reported to `recorder` as child events (plane table, quadratic, quartic, search), then the
-    /// implicit function d(t), and at last one `Primitive` event is the caller's, who gives it the candidates returned.
+    /// The working is reported to `recorder` (plane table, quadratic, quartic, search), then the implicit function d(t),
+    /// and at last every hit time that was looked at ([`What::Roots`](crate::record::What::Roots)). The `Primitive` event
+    /// around them is the caller's.
     fn crossings<A: Real>(&self, ray: &GenericRay<A>, recorder: &mut impl Recorder, crossings: &mut Vec<Crossing>);
 
     /// An outward normal at a point of the given part, in generic coordinates; not unit.

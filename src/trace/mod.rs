@@ -1,11 +1,13 @@
 //! Tracing: the six steps of § 6.1, shading, spawned rays, whole pictures, and the tree of a recorded pixel.
 
+mod closest;
 mod departure;
 mod export;
+mod light;
+mod media;
 mod picture;
 mod pixel;
 mod ray;
-mod shade;
 mod spawn;
 mod tally;
 mod tree;

@@ -1,6 +1,6 @@
 //! Keeps everything: the tree of a recorded pixel.
 
-use crate::record::{Counter, Entry, Event, EventId, Recorder, Source, What};
+use crate::record::{Counter, Entry, Event, EventId, Recorder, Source, Triple, What};
 
 /// Recordings end here, so that a hall of mirrors cannot fill the memory: about 100 MB of events. Smaller would cut
 /// depth-12 glass scenes short; larger would make the workbench stall on a click.
@@ -14,6 +14,18 @@ pub struct RayTree {
 }
 
 impl RayTree {
+    /// The linear colour that the root's ray brought back.
+    #[must_use]
+    pub fn colour(&self) -> Triple {
+        let steps = self.children(0).filter(|event| matches!(event.what, What::Step { .. }));
+        let mut found = steps.flat_map(|step| self.children(step.id)).filter_map(|event| match event.what {
+            What::Colour { total, .. } => Some(total),
+            What::Nothing { background } => Some(background),
+            _ => None,
+        });
+        found.next().unwrap_or_default()
+    }
+
     /// The event with this number.
     #[must_use]
     pub fn event(&self, id: EventId) -> &Event {

@@ -1,0 +1,213 @@
+//! Combining two inside sets: union, intersection, difference, regularised along the ray (§ 6.5.3).
+//!
+//! Boundaries of the two operands whose error intervals overlap cannot be told apart, so they are crossed *together*:
+//! all their toggles are applied at once, and only then does the result look whether it went in or out. Coincident
+//! faces are thereby decided by rule, not by the last bit: A − A is empty, A ∩ A is A, and boxes that abut unite
+//! without a seam. Where both operands could give the new boundary, the left one does.
+
+use super::{Boundary, Interval, IntervalList};
+use crate::record::{Operator, Sense};
+
+impl Operator {
+    /// Whether a point is in the result, given whether it is in the operands.
+    #[must_use]
+    pub const fn holds(self, in_left: bool, in_right: bool) -> bool {
+        match self {
+            Self::Union => in_left || in_right,
+            Self::Intersection => in_left && in_right,
+            Self::Difference => in_left && !in_right,
+        }
+    }
+}
+
+/// A boundary of one of the operands.
+#[derive(Clone, Copy)]
+struct Toggle {
+    boundary: Boundary,
+    sense: Sense,
+    from_right: bool,
+}
+
+/// The inside set of `left OP right`. Touches bound nothing and are dropped.
+#[must_use]
+pub fn combine(operator: Operator, left: &IntervalList, right: &IntervalList) -> IntervalList {
+    let toggles = merged(left, right);
+    let mut inside = [starts_inside(left), starts_inside(right)];
+    let mut result = Vec::new();
+    let mut enter = None;
+    let mut is_open = operator.holds(inside[0], inside[1]);
+    let mut rest = toggles.as_slice();
+    while !rest.is_empty() {
+        let (group, after) = rest.split_at(crossed_together(rest));
+        let before = inside;
+        for toggle in group {
+            inside[usize::from(toggle.from_right)] = toggle.sense == Sense::Enter;
+        }
+        let now_open = operator.holds(inside[0], inside[1]);
+        if now_open != is_open {
+            let boundary = responsible(operator, group, before, inside);
+            if now_open {
+                enter = boundary;
+            } else {
+                result.push(Interval { enter: enter.take(), leave: boundary });
+            }
+            is_open = now_open;
+        }
+        rest = after;
+    }
+    if is_open {
+        result.push(Interval { enter, leave: None });
+    }
+    IntervalList { intervals: result, touches: Vec::new() }
+}
+
+/// Whether the ray begins, infinitely far back, inside.
+fn starts_inside(list: &IntervalList) -> bool {
+    list.intervals.first().is_some_and(|interval| interval.enter.is_none())
+}
+
+/// The boundaries of both operands, ascending; the left one first where they are equal.
+fn merged(left: &IntervalList, right: &IntervalList) -> Vec<Toggle> {
+    let of = |list: &IntervalList, from_right| {
+        list.intervals
+            .iter()
+            .flat_map(|i| [i.enter.map(|b| (b, Sense::Enter)), i.leave.map(|b| (b, Sense::Leave))])
+            .flatten()
+            .map(move |(boundary, sense)| Toggle { boundary, sense, from_right })
+            .collect::<Vec<_>>()
+    };
+    let mut toggles = of(left, false);
+    toggles.extend(of(right, true));
+    toggles.sort_by(|a, b| a.boundary.t.total_cmp(&b.boundary.t));
+    toggles
+}
+
+/// How many of the first toggles cannot be told apart. Toggles of one operand alone always can: its list is in order.
+fn crossed_together(toggles: &[Toggle]) -> usize {
+    let mut reach = toggles[0].boundary.t + toggles[0].boundary.error;
+    let mut count = 1;
+    while let Some(next) = toggles.get(count)
+        && next.boundary.t - next.boundary.error <= reach
+    {
+        reach = reach.max(next.boundary.t + next.boundary.error);
+        count += 1;
+    }
+    let mixed = toggles[..count].iter().any(|toggle| toggle.from_right != toggles[0].from_right);
+    if mixed { count } else { 1 }
+}
+
+/// The boundary of the group on whose account the result changed: the left operand's where it changed too.
+///
+/// An operand that changed against the result's direction (such as the left of a union leaving while the union is
+/// entered) is not responsible.
+fn responsible(operator: Operator, group: &[Toggle], before: [bool; 2], after: [bool; 2]) -> Option<Boundary> {
+    let enters = operator.holds(after[0], after[1]);
+    let left_changed = before[0] != after[0] && after[0] == enters;
+    let toggle = group.iter().rev().find(|toggle| toggle.from_right != left_changed)?;
+    let flips = toggle.from_right && operator == Operator::Difference;
+    Some(Boundary { flipped: toggle.boundary.flipped != flips, ..toggle.boundary })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn boundary(t: f64, leaf: usize) -> Boundary {
+        Boundary { t, error: 0.0, leaf, part: 0, flipped: false }
+    }
+
+    fn list(leaf: usize, spans: &[(f64, f64)]) -> IntervalList {
+        let end = |t: f64| t.is_finite().then(|| boundary(t, leaf));
+        let intervals = spans.iter().map(|&(a, b)| Interval { enter: end(a), leave: end(b) }).collect();
+        IntervalList { intervals, touches: Vec::new() }
+    }
+
+    fn spans(list: &IntervalList) -> Vec<(f64, f64)> {
+        let at = |b: Option<Boundary>, otherwise| b.map_or(otherwise, |b| b.t);
+        list.intervals.iter().map(|i| (at(i.enter, f64::NEG_INFINITY), at(i.leave, f64::INFINITY))).collect()
+    }
+
+    #[test]
+    fn overlapping_spans_combine_as_sets_do() {
+        let (a, b) = (list(0, &[(0.0, 2.0)]), list(1, &[(1.0, 3.0)]));
+        assert_eq!(spans(&combine(Operator::Union, &a, &b)), [(0.0, 3.0)]);
+        assert_eq!(spans(&combine(Operator::Intersection, &a, &b)), [(1.0, 2.0)]);
+        assert_eq!(spans(&combine(Operator::Difference, &a, &b)), [(0.0, 1.0)]);
+    }
+
+    #[test]
+    fn a_solid_minus_itself_is_empty_and_its_intersection_with_itself_is_itself() {
+        let a = list(0, &[(0.0, 1.0), (2.0, 3.0)]);
+        assert!(combine(Operator::Difference, &a, &a).is_empty());
+        assert_eq!(spans(&combine(Operator::Intersection, &a, &a)), spans(&a));
+        assert_eq!(spans(&combine(Operator::Union, &a, &a)), spans(&a));
+    }
+
+    #[test]
+    fn abutting_spans_unite_without_a_seam_and_meet_in_nothing() {
+        let (a, b) = (list(0, &[(0.0, 1.0)]), list(1, &[(1.0, 2.0)]));
+        assert_eq!(spans(&combine(Operator::Union, &a, &b)), [(0.0, 2.0)]);
+        assert!(combine(Operator::Intersection, &a, &b).is_empty());
+        assert_eq!(spans(&combine(Operator::Difference, &a, &b)), [(0.0, 1.0)]);
+    }
+
+    #[test]
+    fn boundaries_within_each_others_error_are_one() {
+        let mut a = list(0, &[(0.0, 1.0)]);
+        let mut b = list(1, &[(1.0 + 1e-12, 2.0)]);
+        for interval in a.intervals.iter_mut().chain(&mut b.intervals) {
+            for end in [&mut interval.enter, &mut interval.leave].into_iter().flatten() {
+                end.error = 1e-12;
+            }
+        }
+        assert_eq!(spans(&combine(Operator::Union, &a, &b)), [(0.0, 2.0)]);
+    }
+
+    #[test]
+    fn subtracted_surfaces_are_flipped_and_doubly_subtracted_ones_are_not() {
+        let shell = combine(Operator::Difference, &list(0, &[(0.0, 10.0)]), &list(1, &[(2.0, 8.0)]));
+        let inner = shell.intervals[0].leave.expect("the first wall ends");
+        assert_eq!((inner.t, inner.leaf, inner.flipped), (2.0, 1, true));
+        let rest = combine(Operator::Difference, &list(2, &[(-1.0, 11.0)]), &shell);
+        let inner = rest.intervals[1].enter.expect("the hollow is what is left");
+        assert_eq!((inner.t, inner.leaf, inner.flipped), (2.0, 1, false));
+    }
+
+    #[test]
+    fn unbounded_ends_stay_unbounded() {
+        let half = list(0, &[(f64::NEG_INFINITY, 1.0)]);
+        let ball = list(1, &[(0.0, 2.0)]);
+        assert_eq!(spans(&combine(Operator::Union, &half, &ball)), [(f64::NEG_INFINITY, 2.0)]);
+        assert_eq!(spans(&combine(Operator::Difference, &half, &ball)), [(f64::NEG_INFINITY, 0.0)]);
+        assert_eq!(spans(&combine(Operator::Difference, &ball, &half)), [(1.0, 2.0)]);
+    }
+
+    fn any_list(leaf: usize) -> impl Strategy<Value = IntervalList> {
+        prop::collection::btree_set(-20_i32..20, 0..9).prop_map(move |ends| {
+            let ends: Vec<f64> = ends.into_iter().map(f64::from).collect();
+            list(leaf, &ends.chunks_exact(2).map(|pair| (pair[0], pair[1])).collect::<Vec<_>>())
+        })
+    }
+
+    proptest! {
+        #[test]
+        fn membership_of_every_point_follows_the_operator(a in any_list(0), b in any_list(1)) {
+            for operator in [Operator::Union, Operator::Intersection, Operator::Difference] {
+                let result = combine(operator, &a, &b);
+                for half in -41..41 {
+                    let t = f64::from(half) / 2.0 + 0.25;
+                    prop_assert_eq!(result.contains(t), operator.holds(a.contains(t), b.contains(t)));
+                }
+            }
+        }
+
+        #[test]
+        fn results_are_ascending_and_have_length(a in any_list(0), b in any_list(1)) {
+            for operator in [Operator::Union, Operator::Intersection, Operator::Difference] {
+                let ends: Vec<f64> = spans(&combine(operator, &a, &b)).into_iter().flat_map(|(x, y)| [x, y]).collect();
+                prop_assert!(ends.windows(2).all(|pair| pair[0] < pair[1]));
+            }
+        }
+    }
+}

@@ -1,0 +1,114 @@
+//! What is told of a ray's way through a solid.
+
+use super::solid::Lists;
+use super::{Boundary, Extent, Interval, IntervalList, Leaf, Node, Solid};
+use crate::record::{Edge, Entry, Operator, Recorder, Span, Value, What};
+use glam::DVec3;
+
+/// The test against a box.
+pub fn extent(name: &str, extent: &Extent, inside: Option<[f64; 2]>) -> Entry {
+    let (low, high) = (extent.low.to_array(), extent.high.to_array());
+    Entry::new(What::Extent { of: name.to_owned(), low, high, inside })
+}
+
+/// The ray in a primitive's generic coordinates, unscaled.
+pub fn transform(leaf: &Leaf, origin: DVec3, direction: DVec3) -> Entry {
+    let inverse = &leaf.placement.generic_from_world;
+    let (s, c) = (inverse.transform_point3(origin).to_array(), inverse.transform_vector3(direction).to_array());
+    let bindings = |v: DVec3| [("origin", Value::from(v.to_array())), ("direction", Value::from(v.to_array()))];
+    Entry::new(What::Transform {
+        of: leaf.name.clone(),
+        inverse: leaf.placement.inverse_rows(),
+        origin: s,
+        direction: c,
+    })
+    .line("S", "M⁻¹ origin", &bindings(origin), s)
+    .line("c", "M⁻¹ direction", &bindings(direction), c)
+}
+
+/// A primitive's own result, before any CSG.
+pub fn primitive(leaf: &Leaf, index: usize, list: &IntervalList) -> Entry {
+    let (shape, name) = (leaf.shape.name().to_owned(), leaf.name.clone());
+    Entry::new(What::Primitive { shape, name, leaf: index, hits: list.boundaries().len() })
+}
+
+/// The three lists of a node.
+pub fn combine(solid: &Solid, name: &str, operator: Operator, lists: &Lists, early_out: Option<&str>) -> Entry {
+    Entry::new(What::Combine {
+        name: name.to_owned(),
+        operator,
+        left: spans(solid, &lists.left),
+        right: lists.right.as_ref().map(|right| spans(solid, right)),
+        combined: spans(solid, &lists.combined),
+        early_out: early_out.map(str::to_owned),
+    })
+}
+
+/// Every boundary of an operand that is none of the result, with the reason.
+pub fn rejected(
+    solid: &Solid,
+    name: &str,
+    operator: Operator,
+    nodes: [&Node; 2],
+    lists: [&IntervalList; 2],
+    combined: &IntervalList,
+    recorder: &mut impl Recorder,
+) {
+    let kept = combined.boundaries();
+    for (side, list) in lists.into_iter().enumerate() {
+        let other = lists[1 - side];
+        for (boundary, _) in list.boundaries() {
+            if kept.iter().any(|(b, _)| b.t == boundary.t && b.leaf == boundary.leaf) {
+                continue;
+            }
+            let reason = reason(operator, side, other.contains(boundary.t), &node_name(solid, nodes[1 - side]));
+            recorder.note(|| rejection(name, &solid.leaves[boundary.leaf], &boundary, reason));
+        }
+    }
+}
+
+/// A hit that does not count.
+pub fn rejection(object: &str, leaf: &Leaf, boundary: &Boundary, reason: String) -> Entry {
+    Entry::new(What::Rejected {
+        object: object.to_owned(),
+        leaf: leaf.name.clone(),
+        part: leaf.part(boundary).to_owned(),
+        t: boundary.t,
+        reason,
+    })
+}
+
+/// Why a boundary of the left (0) or right (1) operand is none of the result.
+fn reason(operator: Operator, side: usize, in_other: bool, other: &str) -> String {
+    match (operator, side, in_other) {
+        (Operator::Union, _, true) => format!("inside {other}: the union goes on through it"),
+        (Operator::Intersection, _, false) => format!("outside {other}: a point of the intersection is in both"),
+        (Operator::Difference, 0, true) => format!("inside {other}, which is taken away"),
+        (Operator::Difference, 1, false) => format!("outside {other}: there is nothing to take away"),
+        _ => format!("coincides with a boundary of {other} that it cannot be told apart from"),
+    }
+}
+
+fn node_name(solid: &Solid, node: &Node) -> String {
+    match node {
+        Node::Leaf { leaf, .. } => format!("`{}`", solid.leaves[*leaf].name),
+        Node::Pair { name, .. } => format!("`{name}`"),
+    }
+}
+
+fn spans(solid: &Solid, list: &IntervalList) -> Vec<Span> {
+    let edge = |boundary: Boundary| edge(&solid.leaves[boundary.leaf], &boundary);
+    let span = |interval: &Interval| Span { enter: interval.enter.map(edge), leave: interval.leave.map(edge) };
+    list.intervals.iter().map(span).collect()
+}
+
+fn edge(leaf: &Leaf, boundary: &Boundary) -> Edge {
+    Edge {
+        t: boundary.t,
+        leaf: boundary.leaf,
+        name: leaf.name.clone(),
+        part: leaf.part(boundary).to_owned(),
+        flipped: boundary.flipped,
+    }
+}
+

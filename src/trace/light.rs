@@ -1,0 +1,166 @@
+//! The ambient, diffuse and specular terms, and the shadow rays that they ask for.
+
+use super::closest::{Found, Surface};
+use super::departure::Departure;
+use super::ray::{Components, Ray, Tracer};
+use crate::csg::Boundary;
+use crate::optics::reflect;
+use crate::record::{Counter, Entry, RayKind, Recorder, Value, What};
+use crate::scene::{Light, LightKind, Rgb};
+use glam::DVec3;
+
+/// The way to a light.
+struct Way {
+    /// From the point to the light; t = 1 at a point light, without end for a directional one.
+    direction: DVec3,
+    /// Unit.
+    towards: DVec3,
+    /// The hit time beyond which nothing is in the way.
+    limit: f64,
+}
+
+impl Way {
+    fn new(light: &Light, point: DVec3) -> Self {
+        match light.kind {
+            LightKind::Point(position) => {
+                let direction = position - point;
+                Self { direction, towards: direction.normalize_or_zero(), limit: 1.0 }
+            }
+            LightKind::Directional(towards) => Self { direction: towards, towards, limit: f64::INFINITY },
+        }
+    }
+}
+
+impl Tracer<'_> {
+    /// Adds the terms that come straight from the lights.
+    pub(super) fn add_lights<R: Recorder>(
+        &self,
+        ray: &Ray,
+        surface: &Surface,
+        components: &mut Components,
+        recorder: &mut R,
+    ) {
+        let material = self.material(surface);
+        components.ambient = material.ambient * self.scene.ambient;
+        recorder.note(|| {
+            let bindings = [("k_a", material.ambient.to_array().into()), ("I_a", self.scene.ambient.to_array().into())];
+            Entry::new(What::Ambient { colour: components.ambient.to_array() }).line(
+                "I_amb",
+                "k_a I_a",
+                &bindings,
+                components.ambient.to_array(),
+            )
+        });
+        for light in &self.scene.lights {
+            let [diffuse, specular] = self.light(ray, surface, light, recorder);
+            components.diffuse += diffuse;
+            components.specular += specular;
+        }
+    }
+
+    /// Diffuse and specular term of one light: I k_d max(0, n·l) and I k_s max(0, r·v)^f, r being l mirrored at n.
+    fn light<R: Recorder>(&self, ray: &Ray, surface: &Surface, light: &Light, recorder: &mut R) -> [Rgb; 2] {
+        recorder.begin();
+        let way = Way::new(light, surface.point);
+        let n_dot_l = surface.n_shading.dot(way.towards);
+        let share = if n_dot_l > 0.0 { self.arriving(ray, surface, &way, recorder) } else { 0.0 };
+        let arriving = light.colour * share;
+        let material = self.material(surface);
+        let mirrored = reflect(-way.towards, surface.n_shading);
+        let r_dot_v = mirrored.dot(-ray.direction.normalize()).max(0.0);
+        let diffuse = arriving * material.diffuse * n_dot_l.max(0.0);
+        let specular = arriving * material.specular * r_dot_v.powf(material.exponent);
+        recorder.end(|| {
+            let distance = matches!(light.kind, LightKind::Point(_)).then(|| way.direction.length());
+            let bindings: [(&str, Value); 7] = [
+                ("I_l", arriving.to_array().into()),
+                ("k_d", material.diffuse.to_array().into()),
+                ("k_s", material.specular.to_array().into()),
+                ("n", surface.n_shading.to_array().into()),
+                ("l", way.towards.to_array().into()),
+                ("r", mirrored.to_array().into()),
+                ("f", material.exponent.into()),
+            ];
+            let viewer = ("v", Value::from((-ray.direction.normalize()).to_array()));
+            let cosines = [("n_l", Value::from(n_dot_l.max(0.0))), ("r_v", Value::from(r_dot_v))];
+            let bindings: Vec<_> = bindings.into_iter().chain([viewer]).chain(cosines).collect();
+            Entry::new(What::Light {
+                name: light.name.clone(),
+                towards: way.towards.to_array(),
+                distance,
+                arriving: arriving.to_array(),
+                diffuse: diffuse.to_array(),
+                specular: specular.to_array(),
+            })
+            .line("n·l", "n · l", &bindings, n_dot_l)
+            .line("r·v", "max(0, r · v)", &bindings, r_dot_v)
+            .line("I_diff", "I_l k_d n_l", &bindings, diffuse.to_array())
+            .line("I_spec", "I_l k_s (r_v)^f", &bindings, specular.to_array())
+        });
+        [diffuse, specular]
+    }
+
+    /// The share of a light that arrives: a shadow ray, stopped by the first opaque object. A transparent object passes
+    /// its transparency once for each passage; shadow rays are not bent.
+    fn arriving<R: Recorder>(&self, ray: &Ray, surface: &Surface, way: &Way, recorder: &mut R) -> f64 {
+        let shadow = Ray {
+            kind: RayKind::Shadow,
+            origin: surface.point,
+            direction: way.direction,
+            depth: ray.depth + 1,
+            weight: ray.weight,
+            departure: Some(Departure::new(surface, ray.direction, way.direction)),
+            media: ray.media.clone(),
+        };
+        recorder.count(Counter::Ray(RayKind::Shadow));
+        recorder.begin();
+        let mut share = 1.0;
+        for (index, object) in self.scene.objects.iter().enumerate() {
+            let list = self.intersect(index, object, &shadow, recorder);
+            let departed = shadow.departure.and_then(|departure| departure.boundary(index, &list));
+            share *= self.passed(&Found { object: index, list, departed }, way.limit, recorder);
+            if share == 0.0 {
+                break;
+            }
+        }
+        recorder.end(|| self.describe_ray(&shadow));
+        share
+    }
+
+    /// The share of light that an object lets pass before the light at `limit`.
+    fn passed<R: Recorder>(&self, found: &Found, limit: f64, recorder: &mut R) -> f64 {
+        let object = &self.scene.objects[found.object];
+        let mut share = 1.0;
+        for (t, leaf) in passages(found, limit) {
+            let material = &self.scene.materials[object.leaf_materials[leaf]];
+            share *= material.transparency;
+            recorder.note(|| {
+                let reason = if material.transparency > 0.0 {
+                    "transparent: it passes its transparency, once for each passage, without bending"
+                } else {
+                    "opaque: no light arrives"
+                };
+                Entry::new(What::Shadow {
+                    object: object.name.clone(),
+                    t,
+                    passes: material.transparency,
+                    reason: reason.to_owned(),
+                })
+            });
+        }
+        share
+    }
+}
+
+/// Where the way to the light goes through the object: a hit time and a leaf for each passage.
+fn passages(found: &Found, limit: f64) -> impl Iterator<Item = (f64, usize)> {
+    let counts = move |boundary: &Boundary| boundary.t > 0.0 && Some(*boundary) != found.departed;
+    let through = found.list.intervals.iter().filter_map(move |interval| {
+        let begins_before_light = interval.enter.is_none_or(|enter| enter.t < limit);
+        let ends_in_front = interval.leave.is_none_or(|leave| counts(&leave));
+        let first_met = interval.enter.filter(|enter| enter.t > 0.0).or(interval.leave).or(interval.enter);
+        (begins_before_light && ends_in_front).then(|| first_met.map_or((0.0, 0), |met| (met.t, met.leaf)))
+    });
+    let touched = found.list.touches.iter().filter(move |touch| counts(touch) && touch.t < limit);
+    through.chain(touched.map(|touch| (touch.t, touch.leaf)))
+}

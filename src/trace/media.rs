@@ -1,0 +1,102 @@
+//! Which medium a ray travels in, and what a boundary changes about it (§ 6.4.1, design policies 1 and 2).
+
+use super::closest::{Found, Surface};
+use super::ray::{Ray, Tracer};
+use crate::optics::{MediaStack, Policy};
+use crate::record::{Entry, Recorder, Sense, What};
+use crate::scene::MediaPolicy;
+
+/// The media on the two sides of a boundary.
+#[derive(Clone, Debug)]
+pub(super) struct MediaCrossing {
+    /// The object that the ray travels in before the boundary; none in air.
+    pub before: Option<usize>,
+    /// The object that it would travel in behind the boundary.
+    pub after: Option<usize>,
+    /// What it would be inside of behind the boundary.
+    pub media_after: MediaStack,
+    /// The boundary lies inside a medium that wins over it: the ray passes as if it were not there.
+    pub hidden: bool,
+}
+
+impl Tracer<'_> {
+    /// The transparent objects that the eye is inside, in the order in which a ray from far behind it entered them.
+    pub(super) fn media_around_the_eye(&self, found: &[Found]) -> MediaStack {
+        let mut around: Vec<(f64, usize)> = found
+            .iter()
+            .filter(|candidate| self.is_transparent(candidate.object))
+            .filter_map(|candidate| {
+                let holds_eye = candidate.list.intervals.iter().find(|interval| {
+                    interval.enter.is_none_or(|enter| enter.t <= 0.0) && interval.leave.is_none_or(|leave| leave.t > 0.0)
+                })?;
+                Some((holds_eye.enter.map_or(f64::NEG_INFINITY, |enter| enter.t), candidate.object))
+            })
+            .collect();
+        around.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let mut media = MediaStack::default();
+        around.into_iter().for_each(|(_, object)| media.enter(object));
+        media
+    }
+
+    /// The media before and behind the surface, by the scene's policy.
+    pub(super) fn cross_media(&self, ray: &Ray, surface: &Surface, recorder: &mut impl Recorder) -> MediaCrossing {
+        let before = self.current_medium(&ray.media);
+        let mut media_after = ray.media.clone();
+        let bounds_a_medium = self.is_transparent(surface.object) && surface.sense != Sense::Touch;
+        if !bounds_a_medium {
+            return MediaCrossing { before, after: before, media_after, hidden: false };
+        }
+        match surface.sense {
+            Sense::Enter => media_after.enter(surface.object),
+            Sense::Leave | Sense::Touch => media_after.leave(surface.object),
+        }
+        let after = self.current_medium(&media_after);
+        let crossing = MediaCrossing { before, after, media_after, hidden: before == after };
+        recorder.note(|| self.describe_crossing(surface, &crossing));
+        crossing
+    }
+
+    /// The object whose medium the ray travels in; none in air.
+    pub(super) fn current_medium(&self, media: &MediaStack) -> Option<usize> {
+        let policy = match self.scene.media {
+            MediaPolicy::Priority => Policy::Priority,
+            MediaPolicy::Forbid | MediaPolicy::MostRecent => Policy::MostRecent,
+        };
+        media.current(policy, |object| self.scene.objects[object].priority)
+    }
+
+    /// The index of refraction of the medium in an object, or of air.
+    pub(super) fn index_of_refraction(&self, medium: Option<usize>) -> f64 {
+        medium.map_or(1.0, |object| self.scene.materials[self.scene.objects[object].material].index_of_refraction)
+    }
+
+    /// The name of the object whose medium it is, or air.
+    pub(super) fn medium_name(&self, medium: Option<usize>) -> String {
+        medium.map_or_else(|| "air".to_owned(), |object| self.scene.objects[object].name.clone())
+    }
+
+    fn is_transparent(&self, object: usize) -> bool {
+        self.scene.materials[self.scene.objects[object].material].transparency > 0.0
+    }
+
+    fn describe_crossing(&self, surface: &Surface, crossing: &MediaCrossing) -> Entry {
+        let overlap = crossing.media_after.overlap();
+        let interpenetration = overlap && self.scene.media == MediaPolicy::Forbid;
+        let decided = match self.scene.media {
+            MediaPolicy::Forbid if overlap => {
+                "policy 1 is broken: transparent objects overlap here, and the most recently entered one is taken"
+            }
+            MediaPolicy::Forbid => "policy 1: transparent objects do not overlap",
+            MediaPolicy::MostRecent => "policy 2: the most recently entered object wins",
+            MediaPolicy::Priority => "policy 2: the object with the highest priority wins",
+        };
+        Entry::new(What::Medium {
+            object: self.scene.objects[surface.object].name.clone(),
+            before: self.medium_name(crossing.before),
+            after: self.medium_name(crossing.after),
+            decided: decided.to_owned(),
+            interpenetration,
+            hidden: crossing.hidden,
+        })
+    }
+}

@@ -1,0 +1,162 @@
+//! A ray and the one function that finds the colour that it brings back.
+
+use super::closest::Surface;
+use super::departure::Departure;
+use crate::optics::MediaStack;
+use crate::record::{Counter, Entry, RayKind, Recorder, What};
+use crate::scene::{Rgb, Scene};
+use glam::DVec3;
+
+/// A ray P(t) = origin + direction t in world space.
+#[derive(Clone, Debug)]
+pub struct Ray {
+    /// Why it was sent.
+    pub kind: RayKind,
+    /// Where it starts.
+    pub origin: DVec3,
+    /// Where it goes; any length but zero.
+    pub direction: DVec3,
+    /// How many rays it is away from the camera ray.
+    pub depth: u32,
+    /// The share of its colour in the pixel.
+    pub weight: f64,
+    /// The boundary that it started on.
+    pub departure: Option<Departure>,
+    /// The transparent objects that it is inside.
+    pub media: MediaStack,
+}
+
+impl Ray {
+    /// A ray from the eye.
+    #[must_use]
+    pub fn camera(origin: DVec3, direction: DVec3) -> Self {
+        let (departure, media) = (None, MediaStack::default());
+        Self { kind: RayKind::Camera, origin, direction, depth: 0, weight: 1.0, departure, media }
+    }
+}
+
+/// Traces rays through a scene.
+#[derive(Clone, Copy, Debug)]
+pub struct Tracer<'a> {
+    /// The scene.
+    pub scene: &'a Scene,
+}
+
+/// The five components of the light that a ray brings back: I = I_amb + I_diff + I_spec + I_refl + I_tran (§ 6.4).
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Components {
+    pub ambient: Rgb,
+    pub diffuse: Rgb,
+    pub specular: Rgb,
+    pub reflected: Rgb,
+    pub transmitted: Rgb,
+}
+
+impl Components {
+    pub fn total(&self) -> Rgb {
+        self.ambient + self.diffuse + self.specular + self.reflected + self.transmitted
+    }
+
+    fn describe(&self) -> Entry {
+        Entry::new(What::Colour {
+            ambient: self.ambient.to_array(),
+            diffuse: self.diffuse.to_array(),
+            specular: self.specular.to_array(),
+            reflected: self.reflected.to_array(),
+            transmitted: self.transmitted.to_array(),
+            total: self.total().to_array(),
+        })
+        .line(
+            "I",
+            "I_amb + I_diff + I_spec + I_refl + I_tran",
+            &[
+                ("I_amb", self.ambient.to_array().into()),
+                ("I_diff", self.diffuse.to_array().into()),
+                ("I_spec", self.specular.to_array().into()),
+                ("I_refl", self.reflected.to_array().into()),
+                ("I_tran", self.transmitted.to_array().into()),
+            ],
+            self.total().to_array(),
+        )
+    }
+}
+
+impl<'a> Tracer<'a> {
+    /// A tracer of this scene.
+    #[must_use]
+    pub const fn new(scene: &'a Scene) -> Self {
+        Self { scene }
+    }
+
+    /// The colour that comes back along the ray: steps 2 to 5 of § 6.1, for camera rays and for spawned ones alike.
+    pub fn trace<R: Recorder>(&self, mut ray: Ray, recorder: &mut R) -> Rgb {
+        recorder.count(Counter::Ray(ray.kind));
+        let found = step(&ray, 2, recorder, |recorder| self.find_all_intersections(&ray, recorder));
+        if ray.kind == RayKind::Camera {
+            ray.media = self.media_around_the_eye(&found);
+        }
+        let closest = step(&ray, 3, recorder, |recorder| self.find_closest_in_front(&found, recorder));
+        let surface = step(&ray, 4, recorder, |recorder| {
+            closest.as_ref().map(|closest| self.compute_hit_point(&ray, closest, recorder))
+        });
+        step(&ray, 5, recorder, |recorder| match &surface {
+            Some(surface) => self.find_colour(&ray, surface, recorder),
+            None => self.see_background(recorder),
+        })
+    }
+
+    /// Step 5 where nothing is hit.
+    fn see_background(&self, recorder: &mut impl Recorder) -> Rgb {
+        recorder.note(|| Entry::new(What::Nothing { background: self.scene.background.to_array() }));
+        self.scene.background
+    }
+
+    /// Step 5: the colour of the light that returns along the ray from the hit point.
+    fn find_colour<R: Recorder>(&self, ray: &Ray, surface: &Surface, recorder: &mut R) -> Rgb {
+        let crossing = self.cross_media(ray, surface, recorder);
+        let mut components = Components::default();
+        if crossing.hidden {
+            components.transmitted = self.pass_straight_through(ray, surface, &crossing, recorder);
+        } else {
+            self.add_lights(ray, surface, &mut components, recorder);
+            self.add_spawned(ray, surface, &crossing, &mut components, recorder);
+        }
+        recorder.note(|| components.describe());
+        components.total()
+    }
+
+    /// Describes the ray itself.
+    pub(super) fn describe_ray(&self, ray: &Ray) -> Entry {
+        let left = ray.departure.map(|departure| self.scene.objects[departure.object].name.clone());
+        Entry::new(What::Ray {
+            ray: ray.kind,
+            origin: ray.origin.to_array(),
+            direction: ray.direction.to_array(),
+            depth: ray.depth,
+            medium: self.medium_name(self.current_medium(&ray.media)),
+            weight: ray.weight,
+            left,
+        })
+    }
+}
+
+/// The six steps in words.
+pub(super) const STEPS: [&str; 6] = [
+    "Build the ray through the pixel",
+    "Find all intersections of the ray with objects in the scene",
+    "Identify the intersection that lies closest to and in front of the eye",
+    "Compute the hit point",
+    "Find the colour of the light returning to the eye along the ray",
+    "Place the colour in the pixel",
+];
+
+/// Runs one of the six steps. For the camera ray the step is an event of its own, the first level of a pixel's tree.
+pub(super) fn step<R: Recorder, T>(ray: &Ray, number: u8, recorder: &mut R, work: impl FnOnce(&mut R) -> T) -> T {
+    if ray.kind != RayKind::Camera {
+        return work(recorder);
+    }
+    recorder.begin();
+    let result = work(recorder);
+    recorder.end(|| Entry::new(What::Step { number, title: STEPS[usize::from(number) - 1].to_owned() }));
+    result
+}

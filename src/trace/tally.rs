@@ -1,0 +1,74 @@
+//! Counts what a picture took.
+
+use crate::record::{Counter, Entry, RayKind, Recorder};
+use crate::shape::Shape;
+
+/// A [`Recorder`] that counts and keeps nothing else.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Tally {
+    rays: [u64; RayKind::ALL.len()],
+    shape_tests: Vec<u64>,
+    extent_tests: u64,
+    extent_misses: u64,
+}
+
+impl Default for Tally {
+    fn default() -> Self {
+        let shape_tests = vec![0; Shape::NAMES.len()];
+        Self { rays: [0; RayKind::ALL.len()], shape_tests, extent_tests: 0, extent_misses: 0 }
+    }
+}
+
+impl Tally {
+    /// How many rays of this kind were traced.
+    #[must_use]
+    pub const fn rays(&self, kind: RayKind) -> u64 {
+        self.rays[kind as usize]
+    }
+
+    /// How often each shape was tested, in the order of the list of shapes.
+    #[must_use]
+    pub fn shape_tests(&self) -> Vec<(&'static str, u64)> {
+        Shape::NAMES.iter().copied().zip(self.shape_tests.iter().copied()).collect()
+    }
+
+    /// How often a ray was tested against an extent.
+    #[must_use]
+    pub const fn extent_tests(&self) -> u64 {
+        self.extent_tests
+    }
+
+    /// How many of these tests spared the work behind them.
+    #[must_use]
+    pub const fn extent_misses(&self) -> u64 {
+        self.extent_misses
+    }
+
+    /// Adds the counts of another part of the picture.
+    #[must_use]
+    pub fn plus(mut self, other: &Self) -> Self {
+        let add = |to: &mut [u64], from: &[u64]| to.iter_mut().zip(from).for_each(|(to, from)| *to += from);
+        add(&mut self.rays, &other.rays);
+        add(&mut self.shape_tests, &other.shape_tests);
+        self.extent_tests += other.extent_tests;
+        self.extent_misses += other.extent_misses;
+        self
+    }
+}
+
+impl Recorder for Tally {
+    const RECORDING: bool = false;
+
+    fn begin(&mut self) {}
+
+    fn end(&mut self, _describe: impl FnOnce() -> Entry) {}
+
+    fn count(&mut self, counter: Counter) {
+        match counter {
+            Counter::Ray(kind) => self.rays[kind as usize] += 1,
+            Counter::ShapeTest(shape) => self.shape_tests[shape] += 1,
+            Counter::ExtentTest => self.extent_tests += 1,
+            Counter::ExtentMiss => self.extent_misses += 1,
+        }
+    }
+}
