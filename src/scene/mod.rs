@@ -8,13 +8,23 @@ mod compile;
 mod diagnostics;
 mod embedded;
 mod file;
+mod lenient;
 mod model;
+mod problem;
+mod rules;
 mod solid_file;
+mod solids;
 mod source;
+mod transform;
 
-pub use compile::{compile_solid, load};
+pub use compile::load;
 pub use diagnostics::{Diagnostic, Diagnostics};
 pub use embedded::{EmbeddedScene, embedded_scene, embedded_scenes};
-pub use file::{SceneFile, scene_schema};
+pub use file::{
+    Ambient, Background, CameraFile, Colour, ImageFile, LightFile, LimitsFile, MOST_PIXELS, MaterialFile, MediaFile, SceneFile,
+    scene_schema,
+};
+pub use lenient::Lenient;
 pub use model::{Camera, Image, Light, LightKind, Limits, Material, MediaPolicy, Object, Rgb, Scene};
-pub use solid_file::{SolidFile, Transform};
+pub use solid_file::{HalfSpaceFile, Scale, SolidFile, Transform};
+pub use solids::compile_solid;

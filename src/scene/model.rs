@@ -21,6 +21,38 @@ pub struct Camera {
     pub half_height: f64,
 }
 
+impl Camera {
+    /// The direction of the ray through the point (x, y) of the picture, not normalised: its end lies on the image plane at
+    /// distance 1. Pixels have side 1, and the centre of the top left one is (0.5, 0.5).
+    #[must_use]
+    pub fn ray_direction(&self, image: Image, x: f64, y: f64) -> DVec3 {
+        let (half_width, half_height) = self.half_size(image);
+        let across = half_width * (2.0 * x / f64::from(image.width) - 1.0);
+        let upwards = half_height * (1.0 - 2.0 * y / f64::from(image.height));
+        self.forward + self.right * across + self.up * upwards
+    }
+
+    /// Where a point of the world appears in the picture; none if it is not in front of the eye.
+    #[must_use]
+    pub fn project(&self, image: Image, world: DVec3) -> Option<[f64; 2]> {
+        let (half_width, half_height) = self.half_size(image);
+        let from_eye = world - self.eye;
+        let depth = from_eye.dot(self.forward);
+        let across = from_eye.dot(self.right) / (depth * half_width);
+        let upwards = from_eye.dot(self.up) / (depth * half_height);
+        let pixel = [
+            0.5 * (1.0 + across) * f64::from(image.width),
+            0.5 * (1.0 - upwards) * f64::from(image.height),
+        ];
+        (depth > 0.0 && pixel.iter().all(|x| x.is_finite())).then_some(pixel)
+    }
+
+    /// Half the width and height of the image plane at distance 1.
+    fn half_size(&self, image: Image) -> (f64, f64) {
+        (self.half_height * f64::from(image.width) / f64::from(image.height), self.half_height)
+    }
+}
+
 /// The picture's size in pixels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Image {
@@ -135,4 +167,36 @@ pub struct Scene {
     pub limits: Limits,
     /// The pixel that tells the scene's story best: where the workbench starts and what the snapshot pins.
     pub pixels: Vec<[u32; 2]>,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const IMAGE: Image = Image { width: 200, height: 100 };
+    const CAMERA: Camera =
+        Camera { eye: DVec3::ZERO, right: DVec3::X, up: DVec3::Z, forward: DVec3::Y, half_height: 0.5 };
+
+    #[test]
+    fn the_middle_of_the_picture_is_straight_ahead() {
+        assert_eq!(CAMERA.ray_direction(IMAGE, 100.0, 50.0), DVec3::Y);
+    }
+
+    #[test]
+    fn the_corners_are_half_a_picture_away() {
+        assert_eq!(CAMERA.ray_direction(IMAGE, 0.0, 0.0), DVec3::new(-1.0, 1.0, 0.5));
+        assert_eq!(CAMERA.ray_direction(IMAGE, 200.0, 100.0), DVec3::new(1.0, 1.0, -0.5));
+    }
+
+    #[test]
+    fn projecting_a_point_of_a_ray_gives_the_pixel_of_the_ray() {
+        let [x, y] = CAMERA.project(IMAGE, CAMERA.ray_direction(IMAGE, 33.5, 71.5) * 8.0).unwrap();
+        assert!((x - 33.5).abs() < 1e-12 && (y - 71.5).abs() < 1e-12);
+    }
+
+    #[test]
+    fn what_is_behind_or_beside_the_eye_is_not_in_the_picture() {
+        assert_eq!(CAMERA.project(IMAGE, -DVec3::Y), None);
+        assert_eq!(CAMERA.project(IMAGE, DVec3::X), None);
+    }
 }

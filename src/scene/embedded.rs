@@ -1,0 +1,33 @@
+//! The scenes that come with the program.
+
+use include_dir::{Dir, include_dir};
+
+static SCENES: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/scenes");
+
+/// A scene file inside the program.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct EmbeddedScene {
+    /// Its path without the ending, such as `csg/bowl`.
+    pub name: String,
+    /// The file.
+    pub text: &'static str,
+}
+
+/// All embedded scenes, by name.
+#[must_use]
+pub fn embedded_scenes() -> Vec<EmbeddedScene> {
+    let mut scenes: Vec<_> = SCENES.dirs().flat_map(Dir::files).filter_map(scene).collect();
+    scenes.sort_by(|a, b| a.name.cmp(&b.name));
+    scenes
+}
+
+/// The embedded scene of this name.
+#[must_use]
+pub fn embedded_scene(name: &str) -> Option<EmbeddedScene> {
+    SCENES.get_file(format!("{name}.json")).and_then(scene).filter(|scene| scene.name.contains('/'))
+}
+
+fn scene(file: &'static include_dir::File<'static>) -> Option<EmbeddedScene> {
+    let path = file.path().to_str()?.replace('\\', "/");
+    Some(EmbeddedScene { name: path.strip_suffix(".json")?.to_owned(), text: file.contents_utf8()? })
+}
