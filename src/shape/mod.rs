@@ -4,6 +4,8 @@
 //! scene file with their schema, and the battery of tests that every shape has to pass. Adding a primitive means one
 //! new file and one new row.
 
+#[cfg(test)]
+mod battery;
 mod boundary;
 mod convex_polyhedron;
 mod cube;
@@ -18,6 +20,8 @@ mod square;
 mod superellipsoid;
 mod superellipsoid_search;
 mod tapered_cylinder;
+#[cfg(test)]
+mod testing;
 mod torus;
 
 pub use convex_polyhedron::{ConvexPolyhedron, HalfSpace};

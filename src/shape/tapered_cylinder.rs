@@ -394,3 +394,126 @@ impl TaperedCylinder {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::testing::*;
+    use super::*;
+
+    fn tapered(s: f64) -> TaperedCylinder {
+        TaperedCylinder::new(s).unwrap()
+    }
+
+    #[test]
+    fn wall_and_wall() {
+        // The radius at half height is 0.75.
+        expect(&tapered(0.5), [-2.0, 0.0, 0.5], [1.0, 0.0, 0.0], &[(1.25, Enter, "wall"), (2.75, Leave, "wall")]);
+        expect(&tapered(2.0), [-3.0, 0.0, 0.5], [1.0, 0.0, 0.0], &[(1.5, Enter, "wall"), (4.5, Leave, "wall")]);
+    }
+
+    #[test]
+    fn wall_and_cap_in_either_order() {
+        // In at (−0.8, 0, 0.4), where the radius is 0.8, and out at (0.2, 0, 1).
+        let (forth, back) = ([1.0, 0.0, 0.6], [-1.0, 0.0, -0.6]);
+        expect(&tapered(0.5), [-1.8, 0.0, -0.2], forth, &[(1.0, Enter, "wall"), (2.0, Leave, "cap")]);
+        expect(&tapered(0.5), [1.2, 0.0, 1.6], back, &[(1.0, Enter, "cap"), (2.0, Leave, "wall")]);
+    }
+
+    #[test]
+    fn base_and_wall_in_either_order() {
+        // In at the origin, out at (0.75, 0, 0.5).
+        let (forth, back) = ([0.75, 0.0, 0.5], [-0.75, 0.0, -0.5]);
+        expect(&tapered(0.5), [-0.75, 0.0, -0.5], forth, &[(1.0, Enter, "base"), (2.0, Leave, "wall")]);
+        expect(&tapered(0.5), [1.5, 0.0, 1.0], back, &[(1.0, Enter, "wall"), (2.0, Leave, "base")]);
+    }
+
+    #[test]
+    fn base_and_cap_in_either_order() {
+        expect(&tapered(0.5), [0.1, 0.0, -1.0], [0.0, 0.0, 1.0], &[(1.0, Enter, "base"), (2.0, Leave, "cap")]);
+        expect(&tapered(0.5), [0.1, 0.0, 2.0], [0.0, 0.0, -1.0], &[(1.0, Enter, "cap"), (2.0, Leave, "base")]);
+    }
+
+    #[test]
+    fn a_ray_that_touches_the_rim_alone_has_no_hits() {
+        // Through (0.5, 0, 1) and down, flatter than the wall.
+        expect(&tapered(0.5), [-0.5, 0.0, 1.25], [1.0, 0.0, -0.25], &[]);
+    }
+
+    #[test]
+    fn a_ray_in_the_plane_of_the_cap_crosses_from_rim_to_rim() {
+        expect(&tapered(0.5), [-2.0, 0.0, 1.0], [1.0, 0.0, 0.0], &[(1.5, Enter, "wall"), (2.5, Leave, "wall")]);
+    }
+
+    #[test]
+    fn misses_above_below_and_beside() {
+        expect(&tapered(0.5), [-2.0, 0.0, 1.5], [1.0, 0.0, 0.0], &[]);
+        expect(&tapered(0.5), [-2.0, 0.0, -0.5], [1.0, 0.0, 0.0], &[]);
+        expect(&tapered(0.5), [-2.0, 2.0, 0.5], [1.0, 0.0, 0.0], &[]);
+        expect(&tapered(0.5), [2.0, 0.0, -1.0], [0.0, 0.0, 1.0], &[]);
+    }
+
+    #[test]
+    fn a_tangent_of_the_wall_has_no_hits() {
+        expect(&tapered(1.0), [-2.0, 1.0, 0.5], [1.0, 0.0, 0.0], &[]);
+        expect(&tapered(0.5), [-2.0, 0.75, 0.5], [1.0, 0.0, 0.0], &[]);
+    }
+
+    #[test]
+    fn inside_and_behind() {
+        expect(&tapered(1.0), [0.0, 0.0, 0.25], [0.0, 0.0, 1.0], &[(-0.25, Enter, "base"), (0.75, Leave, "cap")]);
+        expect(&tapered(1.0), [3.0, 0.0, 0.5], [1.0, 0.0, 0.0], &[(-4.0, Enter, "wall"), (-2.0, Leave, "wall")]);
+    }
+
+    #[test]
+    fn a_ray_parallel_to_the_side_of_the_cone_meets_the_wall_once() {
+        // A = 0. In at the middle of the base, out at (−0.5, 0, 0.5).
+        let cone = tapered(0.0);
+        expect(&cone, [1.0, 0.0, -1.0], [-1.0, 0.0, 1.0], &[(1.0, Enter, "base"), (1.5, Leave, "wall")]);
+    }
+
+    #[test]
+    fn a_ray_along_the_side_of_the_cone_only_touches_it() {
+        expect(&tapered(0.0), [2.0, 0.0, -1.0], [-1.0, 0.0, 1.0], &[]);
+    }
+
+    #[test]
+    fn the_axis_of_the_cone_runs_from_base_to_apex() {
+        let hits = hits(&tapered(0.0), [0.0, 0.0, -1.0], [0.0, 0.0, 1.0]);
+        assert_eq!(hits.iter().map(|hit| hit.0).collect::<Vec<_>>(), [1.0, 2.0]);
+    }
+
+    #[test]
+    fn a_ray_along_the_wall_of_a_cylinder_is_inside_it_or_not_as_a_whole() {
+        expect(&tapered(1.0), [0.5, 0.0, -1.0], [0.0, 0.0, 1.0], &[(1.0, Enter, "base"), (2.0, Leave, "cap")]);
+        expect(&tapered(1.0), [1.0, 0.0, -1.0], [0.0, 0.0, 1.0], &[]);
+        expect(&tapered(1.0), [1.5, 0.0, -1.0], [0.0, 0.0, 1.0], &[]);
+    }
+
+    #[test]
+    fn the_coefficients_are_those_of_the_substitution() {
+        let (reports, _) = record(&tapered(0.5), DVec3::new(-2.0, 0.0, 0.5), DVec3::X);
+        let What::Quadratic { a, b, c, discriminant, recentred_at, roots, .. } = &reports[1] else {
+            panic!("{reports:?}")
+        };
+        // About (0, 0, 0.5): t² − 0.75².
+        assert_eq!((*a, *b, *c, *discriminant, *recentred_at), (1.0, 0.0, -0.5625, 0.5625, 2.0));
+        assert_eq!(roots, &[1.25, 2.75]);
+    }
+
+    #[test]
+    fn rejected_times_say_what_they_lie_beyond() {
+        // Base and cap are passed outside of their discs.
+        let (reports, _) = record(&tapered(0.5), DVec3::new(-3.0, 0.0, -0.25), DVec3::new(2.0, 0.0, 0.5));
+        let Some(What::Roots { candidates }) = reports.last() else { panic!("{reports:?}") };
+        let base = candidates.iter().find(|candidate| candidate.part == "base").unwrap();
+        assert_eq!((base.t, base.reason.as_str()), (0.5, "2 from the axis, beyond the base's radius 1"));
+        let cap = candidates.iter().find(|candidate| candidate.part == "cap").unwrap();
+        assert_eq!((cap.t, cap.reason.as_str()), (2.5, "2 from the axis, beyond the cap's radius 0.5"));
+    }
+
+    #[test]
+    fn a_negative_radius_is_refused() {
+        assert_eq!(TaperedCylinder::new(-0.5).unwrap_err(), "s is -0.5; the cap's radius needs to be 0 or more");
+        assert!(TaperedCylinder::new(f64::NAN).is_err());
+    }
+}

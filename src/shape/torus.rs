@@ -355,3 +355,88 @@ impl Torus {
             .collect()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::testing::*;
+    use super::*;
+
+    fn torus(d: f64) -> Torus {
+        Torus::new(d).unwrap()
+    }
+
+    fn times(d: f64, origin: [f64; 3], direction: [f64; 3]) -> Vec<f64> {
+        hits(&torus(d), origin, direction).into_iter().map(|hit| hit.0).collect()
+    }
+
+    #[test]
+    fn a_ray_across_the_ring_enters_twice() {
+        let surface = [(2.0, Enter), (4.0, Leave), (6.0, Enter), (8.0, Leave)].map(|(t, sense)| (t, sense, "surface"));
+        expect(&torus(2.0), [-5.0, 0.0, 0.0], [1.0, 0.0, 0.0], &surface);
+    }
+
+    #[test]
+    fn a_ray_through_the_hole_misses() {
+        assert!(times(2.0, [0.0, 0.0, 5.0], [0.0, 0.0, -1.0]).is_empty());
+        assert!(times(2.0, [0.5, 0.0, 5.0], [0.0, 0.25, -1.0]).is_empty());
+    }
+
+    #[test]
+    fn rays_that_touch_from_outside_have_no_hits() {
+        assert!(times(2.0, [3.0, -5.0, 0.0], [0.0, 1.0, 0.0]).is_empty());
+        assert!(times(2.0, [-5.0, 0.0, 1.0], [1.0, 0.0, 0.0]).is_empty());
+        assert!(times(2.0, [1.0, 0.0, 5.0], [0.0, 0.0, -1.0]).is_empty());
+    }
+
+    #[test]
+    fn a_ray_that_touches_the_hole_from_inside_passes_through() {
+        // x = 1 touches the inner equator; the outer one is met at y = ±√8.
+        let found = times(2.0, [1.0, -5.0, 0.0], [0.0, 1.0, 0.0]);
+        assert_eq!(found.len(), 2);
+        assert!((found[0] - (5.0 - 8.0_f64.sqrt())).abs() < 1e-11);
+    }
+
+    #[test]
+    fn inside_the_tube_and_behind() {
+        assert_eq!(times(2.0, [2.0, 0.0, 0.0], [0.0, 0.0, 1.0]), [-1.0, 1.0]);
+        assert_eq!(times(2.0, [5.0, 0.0, 0.0], [2.0, 0.0, 0.0]), [-4.0, -3.0, -2.0, -1.0]);
+    }
+
+    #[test]
+    fn a_spindle_has_no_boundary_where_the_tube_overlaps_itself() {
+        let (reports, crossings) = record(&torus(0.5), DVec3::new(-5.0, 0.0, 0.0), DVec3::X);
+        let found: Vec<_> = crossings.iter().map(|hit| (hit.t * 1e9).round() / 1e9).collect();
+        assert_eq!(found, [3.5, 6.5]);
+        let Some(What::Roots { candidates }) = reports.last() else { panic!("{reports:?}") };
+        let all: Vec<_> = candidates.iter().map(|candidate| (candidate.t * 1e9).round() / 1e9).collect();
+        assert_eq!(all, [3.5, 4.5, 5.5, 6.5]);
+    }
+
+    #[test]
+    fn the_axis_of_a_spindle_runs_from_tip_to_tip() {
+        let found = times(0.6, [0.0, 0.0, -5.0], [0.0, 0.0, 1.0]);
+        assert_eq!(found, [4.2, 5.8]);
+    }
+
+    #[test]
+    fn the_hole_of_a_horn_torus_is_passed_from_inside_to_inside() {
+        assert_eq!(times(1.0, [-5.0, 0.0, 0.0], [1.0, 0.0, 0.0]), [3.0, 7.0]);
+        assert!(times(1.0, [0.0, 0.0, 5.0], [0.0, 0.0, -1.0]).is_empty());
+    }
+
+    #[test]
+    fn the_quartic_is_that_of_the_substitution() {
+        let (reports, _) = record(&torus(2.0), DVec3::new(-5.0, 0.0, 0.0), DVec3::X);
+        let What::Quartic { coefficients, recentred_at, roots } = &reports[0] else { panic!("{reports:?}") };
+        // (t² + 3)² − 16 t² = t⁴ − 10 t² + 9 about t = 5.
+        assert_eq!((coefficients, *recentred_at), (&[9.0, 0.0, -10.0, 0.0, 1.0], 5.0));
+        assert_eq!(roots.len(), 4);
+    }
+
+    #[test]
+    fn a_distance_of_zero_is_refused() {
+        let message = "d is 0; the distance from the axis to the middle of the tube needs to be more than 0";
+        assert_eq!(Torus::new(0.0).unwrap_err(), message);
+        assert!(Torus::new(f64::INFINITY).is_err());
+    }
+}
