@@ -10,6 +10,7 @@ mod boundary;
 mod convex_polyhedron;
 mod cube;
 mod cylinder;
+mod gauge;
 mod outline;
 mod plane;
 mod planes;
@@ -20,6 +21,7 @@ mod square;
 mod superellipsoid;
 mod superellipsoid_search;
 mod tapered_cylinder;
+mod tapered_wall;
 #[cfg(test)]
 mod testing;
 mod torus;

@@ -24,7 +24,8 @@
 //! **Source** A. H. Barr, "Superquadrics and angle-preserving transformations", IEEE CG&A 1(1), 1981; D. P. Mitchell,
 //! "Robust ray intersection with interval arithmetic", Graphics Interface 1990.
 
-use super::superellipsoid_search::{Exponents, Findings, search};
+use super::gauge::Exponents;
+use super::superellipsoid_search::{Findings, search};
 use super::{Bounds, Crossing, GenericRay, Part, Primitive, boundary, boundary::Root, report};
 use crate::math::Real;
 use crate::record::{Entry, Recorder, Sense, Value, What, format_number};

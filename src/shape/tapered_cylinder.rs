@@ -28,6 +28,7 @@
 //!
 //! **Source** Hill, Computer Graphics Using OpenGL, the generic tapered cylinder; Numerical Recipes § 5.6 for the roots.
 
+use super::tapered_wall::{End, Wall};
 use super::{
     Bounds, Crossing, GenericRay, HalfSpace, Part, Primitive, boundary, boundary::Root, outline, planes, report,
 };
@@ -35,7 +36,7 @@ use crate::math::{Quadratic, Real};
 use crate::record::{Candidate, Entry, Recorder, Sense, Value, What, format_number};
 use glam::{DVec2, DVec3};
 
-const WALL: Part = 0;
+pub(super) const WALL: Part = 0;
 const BASE: Part = 1;
 const CAP: Part = 2;
 
@@ -54,27 +55,10 @@ struct Solution {
     foot: f64,
     /// The point at the foot.
     nearest: [f64; 3],
-    /// The roots of the wall's quadratic, double cone and all.
-    wall_roots: Vec<f64>,
+    /// The roots of the wall's quadratic, double cone and all; infinite where A = 0.
+    wall_roots: Option<[f64; 2]>,
     /// Base and cap times; none where the ray is parallel to them.
     discs: Option<[f64; 2]>,
-}
-
-/// One end of the inside, and how well it is known.
-#[derive(Clone, Copy)]
-struct End<A> {
-    tau: A,
-    error: A,
-    part: Part,
-}
-
-/// The wall's quadratic, with a bound on the error of F near its roots.
-struct Wall<A> {
-    quadratic: Quadratic<A>,
-    touches: bool,
-    /// The ray is parallel to a side of the cone, as far as can be told.
-    parallel: bool,
-    doubt: f64,
 }
 
 impl TaperedCylinder {
@@ -99,46 +83,15 @@ impl TaperedCylinder {
         self.s - 1.0
     }
 
-    /// The quadratic of the wall about the point `l`; none where rounding hides the sign of the discriminant.
-    fn wall<A: Real>(&self, ray: &GenericRay<A>, l: [A; 3]) -> Option<Wall<A>> {
-        let k = A::from_f64(self.s) - A::ONE;
-        let [c_x, c_y, c_z] = ray.direction;
-        let (w, d) = (A::ONE + k * l[2], k * c_z);
-        let a = c_x * c_x + c_y * c_y - d * d;
-        let b = l[0] * c_x + l[1] * c_y - w * d;
-        let c = l[0] * l[0] + l[1] * l[1] - w * w;
-        let minors = [l[0] * d - w * c_x, l[1] * d - w * c_y, l[0] * c_y - l[1] * c_x];
-        let [p, q, r] = minors;
-        let mut discriminant = p * p + q * q - r * r;
-        let steep = 1.0 + self.slope().abs();
-        // Every minor is off by at most this: eight roundings of l and w, times components of c below 2.
-        let minor_error = 48.0 * A::UNIT_ROUNDOFF * steep * (ray.reach() + 1.0);
-        let size: f64 = minors.iter().map(|x| x.abs().to_f64()).sum();
-        let doubt = 2.0 * size * minor_error + 3.0 * minor_error * minor_error + 4.0 * A::UNIT_ROUNDOFF * size * size;
-        let touches = discriminant.abs().to_f64() <= doubt;
-        if touches && !A::FINEST {
-            return None;
-        }
-        if touches {
-            discriminant = A::ZERO;
-        }
-        let parallel = a.abs().to_f64() <= 64.0 * A::UNIT_ROUNDOFF * steep * steep;
-        let extent = l.iter().map(|x| x.abs().to_f64()).sum::<f64>() + 4.0 * steep;
-        let doubt = 32.0 * A::UNIT_ROUNDOFF * steep * extent * (ray.reach() + extent);
-        let quadratic = Quadratic::with_discriminant(a, b, c, discriminant);
-        Some(Wall { quadratic, touches, parallel, doubt })
-    }
-
     /// Finds where the ray goes in and out; none where rounding hides the answer.
     fn solve<A: Real>(&self, ray: &GenericRay<A>) -> Option<Solution> {
         let foot = ray.foot();
         let l = ray.at(foot);
-        let wall = self.wall(ray, l)?;
-        let roots = wall.quadratic.roots();
+        let wall = Wall::new(self.s, ray, l)?;
         let discs = Self::discs(ray);
         let inside = match self.between_discs(ray, discs) {
             None => None,
-            Some(slab) => within_wall(self.slope(), ray, foot, &wall, roots, slab)?,
+            Some(slab) => wall.clip(ray, foot, slab)?,
         };
         let plain = |x: A| x.to_f64();
         let q = &wall.quadratic;
@@ -147,12 +100,7 @@ impl TaperedCylinder {
             wall: Quadratic { a: plain(q.a), b: plain(q.b), c: plain(q.c), discriminant: plain(q.discriminant) },
             foot: foot.to_f64(),
             nearest: l.map(plain),
-            wall_roots: roots
-                .into_iter()
-                .flatten()
-                .map(|delta| (foot + delta).to_f64())
-                .filter(|tau| tau.is_finite())
-                .collect(),
+            wall_roots: q.roots().map(|roots| roots.map(|delta| plain(foot + delta))),
             discs: discs.map(|times| times.map(plain)),
         })
     }
@@ -174,63 +122,6 @@ impl TaperedCylinder {
             Some([base, cap]) => Some([end(cap, CAP), end(base, BASE)]),
         }
     }
-}
-
-/// Cuts the stretch between the discs down to what is inside the wall.
-///
-/// The outer option is none where the order of two times is hidden by rounding; the inner one where the ray misses.
-#[expect(clippy::option_option, reason = "undecided and missed are two things")]
-fn within_wall<A: Real>(
-    slope: f64,
-    ray: &GenericRay<A>,
-    foot: A,
-    wall: &Wall<A>,
-    roots: Option<[A; 2]>,
-    [mut enter, mut leave]: [End<A>; 2],
-) -> Option<Option<[Root; 2]>> {
-    let root = |end: End<A>| Root { tau: end.tau.to_f64(), part: end.part };
-    if wall.touches && wall.parallel {
-        // F is the same all along the ray: it runs inside the wall, or in it, or outside.
-        let inside = wall.quadratic.c.to_f64() < -wall.doubt;
-        return Some(inside.then(|| [root(enter), root(leave)]));
-    }
-    let steep = wall.quadratic.a < A::ZERO;
-    let Some(roots) = roots.filter(|_| steep || !wall.touches) else {
-        return Some(None);
-    };
-    let [first, second] = roots.map(|delta| wall_end(wall, foot, delta));
-    if steep {
-        // The nappe with w > 0 lies ahead where w grows along the ray, and behind where it shrinks.
-        if slope * ray.direction[2].to_f64() > 0.0 {
-            enter = later(enter, second);
-        } else {
-            leave = earlier(leave, first);
-        }
-    } else {
-        enter = later(enter, first);
-        leave = earlier(leave, second);
-    }
-    let doubtful = (enter.tau - leave.tau).abs() <= enter.error + leave.error;
-    if doubtful && !A::FINEST {
-        return None;
-    }
-    Some((!doubtful && enter.tau < leave.tau).then(|| [root(enter), root(leave)]))
-}
-
-/// A root of the wall's quadratic with its error: that of F over the slope of F.
-fn wall_end<A: Real>(wall: &Wall<A>, foot: A, delta: A) -> End<A> {
-    let slope = wall.quadratic.discriminant.sqrt() * A::from_f64(2.0);
-    let own = if slope > A::ZERO { A::from_f64(wall.doubt) / slope } else { A::ZERO };
-    let rounding = A::from_f64(4.0 * A::UNIT_ROUNDOFF) * (foot.abs() + delta.abs());
-    End { tau: foot + delta, error: own + rounding, part: WALL }
-}
-
-fn later<A: Real>(a: End<A>, b: End<A>) -> End<A> {
-    if b.tau > a.tau { b } else { a }
-}
-
-fn earlier<A: Real>(a: End<A>, b: End<A>) -> End<A> {
-    if b.tau < a.tau { b } else { a }
 }
 
 impl Primitive for TaperedCylinder {
@@ -319,7 +210,8 @@ impl TaperedCylinder {
         let Quadratic { a, b, c, discriminant } = solution.wall;
         let (a, b, discriminant) = (a / scale / scale, b / scale, discriminant / scale / scale);
         let (foot, [x, y, z], [c_x, c_y, c_z]) = (solution.foot * scale, solution.nearest, ray.course());
-        let roots: Vec<_> = solution.wall_roots.iter().map(|tau| tau * scale).collect();
+        let roots: Vec<_> =
+            solution.wall_roots.into_iter().flatten().map(|tau| tau * scale).filter(|t| t.is_finite()).collect();
         let number = Value::Number;
         let bindings = [
             ("S", report::start(ray)),
@@ -370,7 +262,8 @@ impl TaperedCylinder {
         let upward = ray.direction[2] > A::ZERO;
         let (base, cap) = if upward { (enters, leaves) } else { (leaves, enters) };
         let [first, second] = if solution.wall.a < 0.0 { [leaves, enters] } else { [enters, leaves] };
-        let wall = solution.wall_roots.iter().zip([first, second]).map(|(tau, sense)| (*tau, WALL, sense));
+        let wall =
+            solution.wall_roots.into_iter().flatten().zip([first, second]).map(|(tau, sense)| (tau, WALL, sense));
         let discs = solution.discs.into_iter().flat_map(|[b, c]| [(b, BASE, base), (c, CAP, cap)]);
         wall.chain(discs)
             .filter(|(tau, part, _)| !found.iter().any(|hit| hit.part == *part && hit.t == tau * ray.t_per_tau))
