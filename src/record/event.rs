@@ -510,7 +510,7 @@ pub enum What {
         theta1: f64,
         /// Angle of refraction in degrees; none for total internal reflection.
         theta2: Option<f64>,
-        /// The critical angle in degrees; none where n1 ≤ n2.
+        /// The critical angle in degrees; none where n1 < n2.
         critical: Option<f64>,
         /// Whether all light is reflected.
         total_internal_reflection: bool,

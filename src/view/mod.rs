@@ -1,0 +1,19 @@
+//! Recorded rays as text and as drawings. Nothing here traces a ray of the scene or changes anything.
+//!
+//! A drawing is a list of marks first, painted or written as SVG second, so that tests compare lists and not pixels.
+
+mod drawing;
+mod fonts;
+mod paint;
+mod palette;
+#[cfg(test)]
+mod sample;
+mod svg;
+mod text;
+
+pub use drawing::{Anchor, Drawing, Form, Frame, Mark, Spot, Stroke, Text};
+pub use fonts::{Face, Font, FontRole, fonts, has_glyph, text_width};
+pub use paint::{Pixels, paint, png};
+pub use palette::{Colour, Palette, Theme};
+pub use svg::svg;
+pub use text::{Detail, DetailLine, Row, brief, brief_vector, detail, row, span_list, tree_text};

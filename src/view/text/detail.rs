@@ -1,0 +1,394 @@
+//! Everything that an event holds, arranged for reading: used by the workbench's detail panel and by the text tree.
+
+use super::explain::explain;
+use super::format::{count, degrees, number_list, percent, span_list, vector};
+use super::row::{capitalised, row, surface, titled};
+use crate::record::{
+    Candidate, CandidateFate, Event, PlaneRow, PlaneSense, Sense, Sign, SignSpan, Triple, What, format_number,
+};
+
+/// What an event holds, for reading.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Detail {
+    /// The row's label.
+    pub title: String,
+    /// What this event is, in plain words.
+    pub explanation: &'static str,
+    /// The numbers, in reading order.
+    pub lines: Vec<DetailLine>,
+    /// Where it was computed, as `file:line`.
+    pub source: String,
+}
+
+/// A line of detail, or a table.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum DetailLine {
+    /// A name and its value.
+    Pair {
+        /// The name.
+        name: String,
+        /// The value.
+        value: String,
+    },
+    /// `symbol = formula = numbers = result`.
+    Working {
+        /// What is worked out.
+        symbol: String,
+        /// The general formula.
+        formula: String,
+        /// The formula with this ray's numbers put in.
+        numbers: String,
+        /// What came out.
+        result: String,
+    },
+    /// A table; every row is as long as `headers`.
+    Table {
+        /// What the table shows.
+        title: String,
+        /// The columns' names.
+        headers: Vec<&'static str>,
+        /// The cells.
+        rows: Vec<Vec<String>>,
+    },
+}
+
+/// Everything that an event holds, for reading.
+#[must_use]
+pub fn detail(event: &Event) -> Detail {
+    let mut lines = ray_lines(&event.what)
+        .or_else(|| search_lines(&event.what))
+        .or_else(|| hit_lines(&event.what))
+        .unwrap_or_else(|| light_lines(&event.what));
+    lines.extend(event.working.iter().map(|line| DetailLine::Working {
+        symbol: line.symbol.clone(),
+        formula: line.formula.clone(),
+        numbers: line.numbers.clone(),
+        result: line.result.to_string(),
+    }));
+    Detail {
+        title: capitalised(&row(event).label),
+        explanation: explain(&event.what),
+        lines,
+        source: format!("{}:{}", event.source.file, event.source.line),
+    }
+}
+
+fn pair(name: &str, value: impl Into<String>) -> DetailLine {
+    DetailLine::Pair { name: name.to_owned(), value: value.into() }
+}
+
+/// The ray, and how it comes to a shape.
+fn ray_lines(what: &What) -> Option<Vec<DetailLine>> {
+    Some(match what {
+        What::Pixel { x, y, width, height } => {
+            vec![
+                pair("column, row", format!("{x}, {y} (from the top left)")),
+                pair("picture", format!("{width} × {height}")),
+            ]
+        }
+        What::LooseRay { origin, direction } => {
+            vec![pair("origin", vector(*origin)), pair("direction", vector(*direction))]
+        }
+        What::Step { .. } => Vec::new(),
+        What::Ray { ray, origin, direction, depth, medium, weight, left } => {
+            let mut lines = vec![
+                pair("kind", ray.name()),
+                pair("origin", vector(*origin)),
+                pair("direction", vector(*direction)),
+                pair("depth", depth.to_string()),
+                pair("medium", medium.clone()),
+                pair("weight", format!("{} of the pixel", percent(*weight))),
+            ];
+            lines.extend(left.as_ref().map(|left| pair("leaves", left.clone())));
+            lines
+        }
+        What::Object { index, intervals, .. } => {
+            vec![pair("place in the list", index.to_string()), pair("inside", count(*intervals, "interval"))]
+        }
+        What::Extent { low, high, inside, .. } => vec![
+            pair("corners", format!("{} and {}", vector(*low), vector(*high))),
+            pair(
+                "inside",
+                inside.map_or("missed".to_owned(), |[a, b]| {
+                    format!("t from {} to {}", format_number(a), format_number(b))
+                }),
+            ),
+        ],
+        What::Transform { inverse, origin, direction, .. } => vec![
+            DetailLine::Table {
+                title: "inverse transform, world to generic".to_owned(),
+                headers: vec!["x", "y", "z", "1"],
+                rows: inverse.iter().map(|row| row.iter().map(|&x| format_number(x)).collect()).collect(),
+            },
+            pair("S", vector(*origin)),
+            pair("c", vector(*direction)),
+        ],
+        _ => return None,
+    })
+}
+
+/// What the solvers found.
+fn search_lines(what: &What) -> Option<Vec<DetailLine>> {
+    Some(match what {
+        What::Primitive { shape, name, leaf, hits } => {
+            vec![pair("shape", titled(shape, name)), pair("leaf", leaf.to_string()), pair("hits", hits.to_string())]
+        }
+        What::Roots { candidates } => candidate_table(candidates).into_iter().collect(),
+        What::Planes { rows, stopped } => {
+            let mut lines = vec![plane_table(rows)];
+            lines.extend(stopped.as_ref().map(|why| pair("stopped", why.clone())));
+            lines
+        }
+        What::Quadratic { about, a, b, c, discriminant, recentred_at, roots } => vec![
+            pair("equation", format!("A t² + 2 B t + C = 0 for {about}")),
+            pair("A", format_number(*a)),
+            pair("B", format_number(*b)),
+            pair("C", format_number(*c)),
+            pair("B² − A C", format_number(*discriminant)),
+            pair("t is measured from", format_number(*recentred_at)),
+            pair("roots", number_list(roots)),
+        ],
+        What::Quartic { coefficients, recentred_at, roots } => vec![
+            pair("polynomial", polynomial(coefficients)),
+            pair("t is measured from", format_number(*recentred_at)),
+            pair("roots", number_list(roots)),
+        ],
+        What::Search { range, stretches, undecided, roots } => vec![
+            pair(
+                "range",
+                range
+                    .map_or("none".to_owned(), |[a, b]| format!("t from {} to {}", format_number(a), format_number(b))),
+            ),
+            pair("stretches bounded", stretches.to_string()),
+            pair("undecided to the last bit", undecided.to_string()),
+            pair("roots", number_list(roots)),
+        ],
+        What::Implicit { equation, samples, roots, signs } => vec![
+            pair("F(x, y, z)", equation.clone()),
+            pair("samples", samples.len().to_string()),
+            pair("zeros", number_list(roots)),
+            pair("signs", signs.iter().map(sign_span).collect::<Vec<_>>().join(", ")),
+        ],
+        What::Combine { operator, left, right, combined, early_out, .. } => {
+            let mut lines = vec![
+                pair("left", span_list(left)),
+                pair("right", right.as_ref().map_or("not asked".to_owned(), |right| span_list(right))),
+                pair(&format!("left {} right", operator.sign()), span_list(combined)),
+            ];
+            lines.extend(early_out.as_ref().map(|why| pair("early out", why.clone())));
+            lines
+        }
+        _ => return None,
+    })
+}
+
+/// The hit, or why there is none.
+fn hit_lines(what: &What) -> Option<Vec<DetailLine>> {
+    Some(match what {
+        What::Rejected { object, leaf, part, t, reason } => {
+            vec![
+                pair("surface", surface(object, leaf, part)),
+                pair("t", format_number(*t)),
+                pair("reason", reason.clone()),
+            ]
+        }
+        What::Hit {
+            object,
+            leaf,
+            shape,
+            part,
+            material,
+            t,
+            t_error,
+            sense,
+            point,
+            generic_point,
+            n_geometric,
+            n_shading,
+            uv,
+        } => vec![
+            pair("surface", format!("{} (a {})", surface(object, leaf, part), shape.replace('_', " "))),
+            pair("material", material.clone()),
+            pair("t", format!("{} ± {}", format_number(*t), super::format::significant(*t_error, 2))),
+            pair("the ray", sense_in_words(*sense)),
+            pair("point", vector(*point)),
+            pair("point, generic", vector(*generic_point)),
+            pair("normal, geometric", vector(*n_geometric)),
+            pair("normal, shading", vector(*n_shading)),
+            pair("u, v", format!("{}, {}", format_number(uv[0]), format_number(uv[1]))),
+        ],
+        What::Nothing { background } => vec![pair("background", vector(*background))],
+        _ => return None,
+    })
+}
+
+/// What light does at the hit.
+fn light_lines(what: &What) -> Vec<DetailLine> {
+    match what {
+        What::Ambient { colour } => vec![pair("colour", vector(*colour))],
+        What::Light { towards, distance, arriving, diffuse, specular, .. } => vec![
+            pair("towards", vector(*towards)),
+            pair("distance", distance.map_or("infinite (a direction)".to_owned(), format_number)),
+            pair("share that arrives", vector(*arriving)),
+            pair("diffuse", vector(*diffuse)),
+            pair("specular", vector(*specular)),
+        ],
+        What::Shadow { object, t, passes, reason } => vec![
+            pair("in the way", object.clone()),
+            pair("t on the shadow ray", format_number(*t)),
+            pair("passes", percent(*passes)),
+            pair("rule", reason.clone()),
+        ],
+        What::Reflection { direction, share } => {
+            vec![pair("r", vector(*direction)), pair("share", format_number(*share))]
+        }
+        What::Snell { .. } => snell_lines(what),
+        What::Medium { object, before, after, decided, interpenetration, hidden } => {
+            let mut lines = vec![
+                pair("boundary of", object.clone()),
+                pair("before", before.clone()),
+                pair("after", after.clone()),
+                pair("decided by", decided.clone()),
+            ];
+            lines.extend(interpenetration.then(|| pair("overlap", "two transparent objects share this place")));
+            lines.extend(hidden.then(|| pair("effect", "none: the boundary is hidden in another medium")));
+            lines
+        }
+        What::Limit { limit, at, value, consequence } => vec![
+            pair("limit", format!("{limit}, {}", format_number(*at))),
+            pair("met by", format_number(*value)),
+            pair("therefore", consequence.clone()),
+        ],
+        What::Colour { ambient, diffuse, specular, reflected, transmitted, total } => {
+            let terms = [
+                ("ambient", ambient),
+                ("diffuse", diffuse),
+                ("specular", specular),
+                ("reflected", reflected),
+                ("transmitted", transmitted),
+                ("sum", total),
+            ];
+            vec![colour_table(&terms)]
+        }
+        What::Written { linear, srgb: [r, g, b] } => {
+            vec![pair("linear", vector(*linear)), pair("sRGB", format!("{r}, {g}, {b} (#{r:02x}{g:02x}{b:02x})"))]
+        }
+        _ => Vec::new(),
+    }
+}
+
+fn snell_lines(what: &What) -> Vec<DetailLine> {
+    let What::Snell { n1, n2, theta1, theta2, critical, refracted, reflectance, .. } = what else {
+        return Vec::new();
+    };
+    let none = || "none".to_owned();
+    vec![
+        pair("n₁, n₂", format!("{}, {}", format_number(*n1), format_number(*n2))),
+        pair("θ₁", degrees(*theta1)),
+        pair("θ₂", theta2.map_or("none: total internal reflection".to_owned(), degrees)),
+        pair("critical angle", critical.map_or("none: n₁ ≤ n₂".to_owned(), degrees)),
+        pair("refracted", refracted.map_or_else(none, vector)),
+        pair("Fresnel reflectance", percent(*reflectance)),
+    ]
+}
+
+fn sense_in_words(sense: Sense) -> &'static str {
+    match sense {
+        Sense::Enter => "goes in",
+        Sense::Leave => "comes out",
+        Sense::Touch => "meets a surface that bounds nothing",
+    }
+}
+
+fn sign_span(span: &SignSpan) -> String {
+    let end = |t: Option<f64>, open: &str| t.map_or(open.to_owned(), format_number);
+    let sign = match span.sign {
+        Sign::Positive => "+",
+        Sign::Negative => "−",
+    };
+    format!("{sign} from {} to {}", end(span.from, "−∞"), end(span.to, "∞"))
+}
+
+/// `3 + 2 t − t⁴`, from the constant term up.
+fn polynomial(coefficients: &[f64; 5]) -> String {
+    let powers = ["", " t", " t²", " t³", " t⁴"];
+    let mut text = String::new();
+    for (&coefficient, power) in coefficients.iter().zip(powers).filter(|(coefficient, _)| **coefficient != 0.0) {
+        let sign = match (coefficient < 0.0, text.is_empty()) {
+            (true, true) => "−",
+            (true, false) => " − ",
+            (false, true) => "",
+            (false, false) => " + ",
+        };
+        text.push_str(sign);
+        if coefficient.abs() == 1.0 && !power.is_empty() {
+            text.push_str(power.trim_start());
+        } else {
+            text.push_str(&format_number(coefficient.abs()));
+            text.push_str(power);
+        }
+    }
+    if text.is_empty() { "0".to_owned() } else { text }
+}
+
+fn candidate_table(candidates: &[Candidate]) -> Option<DetailLine> {
+    let rows = candidates.iter().map(|candidate| {
+        let fate = match candidate.fate {
+            CandidateFate::Accepted => "✓",
+            CandidateFate::Rejected => "✗",
+        };
+        let sense = match candidate.sense {
+            Sense::Enter => "enter",
+            Sense::Leave => "leave",
+            Sense::Touch => "touch",
+        };
+        let [part, reason] = [&candidate.part, &candidate.reason].map(Clone::clone);
+        vec![fate.to_owned(), format_number(candidate.t), sense.to_owned(), part, vector(candidate.point), reason]
+    });
+    (!candidates.is_empty()).then(|| DetailLine::Table {
+        title: "candidates".to_owned(),
+        headers: vec!["", "t", "sense", "part", "S + c t", "why"],
+        rows: rows.collect(),
+    })
+}
+
+fn plane_table(rows: &[PlaneRow]) -> DetailLine {
+    let time = |t: Option<f64>, open: &str| t.map_or(open.to_owned(), format_number);
+    let row = |row: &PlaneRow| {
+        let sense = match row.sense {
+            PlaneSense::Entering => "entering",
+            PlaneSense::Leaving => "leaving",
+            PlaneSense::ParallelInside => "parallel, inside",
+            PlaneSense::ParallelOutside => "parallel, outside",
+        };
+        vec![
+            row.plane.to_string(),
+            row.name.clone(),
+            vector(row.normal),
+            vector(row.spot),
+            format_number(row.numerator),
+            format_number(row.denominator),
+            time(row.t, "none"),
+            sense.to_owned(),
+            time(row.t_in, "−∞"),
+            time(row.t_out, "∞"),
+        ]
+    };
+    DetailLine::Table {
+        title: "planes".to_owned(),
+        headers: vec!["#", "plane", "m", "spot", "m·(spot − S)", "m·c", "t", "sense", "t_in", "t_out"],
+        rows: rows.iter().map(row).collect(),
+    }
+}
+
+fn colour_table(terms: &[(&str, &Triple)]) -> DetailLine {
+    let row = |(name, colour): &(&str, &Triple)| {
+        let [r, g, b] = colour.map(format_number);
+        vec![(*name).to_owned(), r, g, b]
+    };
+    DetailLine::Table {
+        title: "components".to_owned(),
+        headers: vec!["", "red", "green", "blue"],
+        rows: terms.iter().map(row).collect(),
+    }
+}

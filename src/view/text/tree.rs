@@ -1,0 +1,128 @@
+//! The whole tree as text, for terminals and for snapshots: a worked example that reads by itself.
+//!
+//! Each event is a row, indented below its parent, with everything that the row leaves out under it. An explanation is
+//! printed the first time that it applies. Places in the source are left out, so that a snapshot changes when the work
+//! changes and not when a file does.
+
+use super::detail::{DetailLine, detail};
+use super::row::row;
+use crate::record::{Event, EventId, What};
+use crate::trace::RayTree;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// The whole tree as text.
+#[must_use]
+pub fn tree_text(tree: &RayTree) -> String {
+    let mut text = String::new();
+    let mut explained = BTreeSet::new();
+    let mut depths: BTreeMap<EventId, usize> = BTreeMap::new();
+    for event in &tree.events {
+        let depth = event.parent.and_then(|parent| depths.get(&parent)).map_or(0, |depth| depth + 1);
+        depths.insert(event.id, depth);
+        write_event(&mut text, event, depth, &mut explained);
+    }
+    text
+}
+
+fn write_event(text: &mut String, event: &Event, depth: usize, explained: &mut BTreeSet<&'static str>) {
+    let row = row(event);
+    let gap = if row.numbers.is_empty() { "" } else { "   " };
+    put_line(text, depth, &format!("{} {}{gap}{}", row.icon, row.label, row.numbers));
+    let detail = detail(event);
+    let below = depth + 2;
+    if explained.insert(detail.explanation) {
+        put_wrapped(text, below, detail.explanation);
+    }
+    for line in &detail.lines {
+        match line {
+            DetailLine::Pair { name, .. } if said_by_row(&event.what, name) => {}
+            DetailLine::Pair { name, .. } if event.working.iter().any(|line| line.symbol == *name) => {}
+            DetailLine::Pair { name, value } => put_line(text, below, &format!("{name}: {value}")),
+            DetailLine::Working { symbol, formula, numbers, result } => {
+                put_line(text, below, &working(symbol, formula, numbers, result));
+            }
+            DetailLine::Table { headers, rows, .. } => put_table(text, below, headers, rows),
+        }
+    }
+}
+
+/// `symbol = formula = numbers = result`, without a part that says the same as the one before it.
+fn working(symbol: &str, formula: &str, numbers: &str, result: &str) -> String {
+    let mut parts = vec![symbol];
+    for part in [formula, numbers, result] {
+        if parts.last() != Some(&part) && !part.is_empty() {
+            parts.push(part);
+        }
+    }
+    parts.join(" = ")
+}
+
+/// Whether the row above has said this already.
+fn said_by_row(what: &What, name: &str) -> bool {
+    match what {
+        What::Pixel { .. }
+        | What::LooseRay { .. }
+        | What::Rejected { .. }
+        | What::Nothing { .. }
+        | What::Ambient { .. }
+        | What::Primitive { .. } => true,
+        What::Ray { .. } => matches!(name, "kind" | "depth" | "weight"),
+        What::Object { .. } | What::Extent { .. } => name == "inside",
+        What::Medium { .. } => matches!(name, "before" | "after"),
+        What::Limit { .. } => name == "therefore",
+        What::Shadow { .. } => matches!(name, "in the way" | "passes"),
+        _ => false,
+    }
+}
+
+fn put_line(text: &mut String, depth: usize, line: &str) {
+    for _ in 0..depth {
+        text.push_str("  ");
+    }
+    text.push_str(line.trim_end());
+    text.push('\n');
+}
+
+/// A sentence after a dash, broken into lines that fit beside each other on a screen.
+fn put_wrapped(text: &mut String, depth: usize, sentence: &str) {
+    const WIDTH: usize = 96;
+    let mut line = "—".to_owned();
+    for word in sentence.split_whitespace() {
+        if line.chars().count() + 1 + word.chars().count() > WIDTH {
+            put_line(text, depth, &line);
+            line = " ".to_owned();
+        }
+        line.push(' ');
+        line.push_str(word);
+    }
+    put_line(text, depth, &line);
+}
+
+/// A table with aligned columns: numbers to the right, words to the left.
+fn put_table(text: &mut String, depth: usize, headers: &[&str], rows: &[Vec<String>]) {
+    let columns = 0..headers.len();
+    let cell = |row: &[String], column: usize| row.get(column).cloned().unwrap_or_default();
+    let width = |column: usize| {
+        let cells = rows.iter().map(|row| cell(row, column).chars().count());
+        cells.chain([headers[column].chars().count()]).max().unwrap_or(0)
+    };
+    let widths: Vec<usize> = columns.clone().map(width).collect();
+    let numeric: Vec<bool> =
+        columns.clone().map(|column| rows.iter().all(|row| is_number(&cell(row, column)))).collect();
+    let mut put = |cells: Vec<String>| {
+        let padded = cells.iter().zip(&widths).zip(&numeric).map(|((cell, &width), &numeric)| {
+            if numeric { format!("{cell:>width$}") } else { format!("{cell:<width$}") }
+        });
+        put_line(text, depth, &padded.collect::<Vec<_>>().join("  "));
+    };
+    if headers.iter().any(|header| !header.is_empty()) {
+        put(headers.iter().map(|&header| header.to_owned()).collect());
+    }
+    for row in rows {
+        put(columns.clone().map(|column| cell(row, column)).collect());
+    }
+}
+
+fn is_number(cell: &str) -> bool {
+    cell.starts_with(|c: char| c.is_ascii_digit() || matches!(c, '−' | '∞')) || cell == "none" || cell.is_empty()
+}
