@@ -277,15 +277,33 @@ impl Form {
             Self::Line { points, .. } => {
                 points.windows(2).map(|ends| distance_to_line(at, ends[0], ends[1])).fold(f64::INFINITY, f64::min)
             }
-            Self::Area { rings, .. } => if is_within(rings, at) { AREA_DISTANCE } else { f64::INFINITY },
+            Self::Area { rings, .. } => {
+                if is_within(rings, at) {
+                    AREA_DISTANCE
+                } else {
+                    f64::INFINITY
+                }
+            }
             Self::Circle { centre, radius, fill, .. } => {
                 let distance = length([at[0] - centre[0], at[1] - centre[1]]) - radius;
                 if fill.is_some() { distance.max(0.0) } else { distance.abs() }
             }
             Self::Arc { centre, radius, .. } => (length([at[0] - centre[0], at[1] - centre[1]]) - radius).abs(),
             Self::Arrow { from, to, .. } => distance_to_line(at, *from, *to),
-            Self::Rect { frame, .. } => if frame.contains(at) { AREA_DISTANCE } else { f64::INFINITY },
-            Self::Text(text) => if text.frame().contains(at) { 0.0 } else { f64::INFINITY },
+            Self::Rect { frame, .. } => {
+                if frame.contains(at) {
+                    AREA_DISTANCE
+                } else {
+                    f64::INFINITY
+                }
+            }
+            Self::Text(text) => {
+                if text.frame().contains(at) {
+                    0.0
+                } else {
+                    f64::INFINITY
+                }
+            }
         }
     }
 
@@ -303,7 +321,9 @@ impl Form {
                 let [from, to] = [from.to_degrees(), to.to_degrees()].map(tenth);
                 format!("arc {} r {} {from}°…{to}° {}", spot(*centre), tenth(*radius), stroke_text(stroke))
             }
-            Self::Arrow { from, to, stroke, .. } => format!("arrow {} → {} {}", spot(*from), spot(*to), stroke_text(stroke)),
+            Self::Arrow { from, to, stroke, .. } => {
+                format!("arrow {} → {} {}", spot(*from), spot(*to), stroke_text(stroke))
+            }
             Self::Rect { frame, fill, stroke } => {
                 format!("rect {} … {}{}", spot(frame.low), spot(frame.high), paint_text(*fill, *stroke))
             }
@@ -362,7 +382,8 @@ fn distance_to_line(at: Spot, from: Spot, to: Spot) -> f64 {
     let along = [to[0] - from[0], to[1] - from[1]];
     let squared = along[0] * along[0] + along[1] * along[1];
     let offset = [at[0] - from[0], at[1] - from[1]];
-    let share = if squared > 0.0 { ((offset[0] * along[0] + offset[1] * along[1]) / squared).clamp(0.0, 1.0) } else { 0.0 };
+    let share =
+        if squared > 0.0 { ((offset[0] * along[0] + offset[1] * along[1]) / squared).clamp(0.0, 1.0) } else { 0.0 };
     length([offset[0] - share * along[0], offset[1] - share * along[1]])
 }
 
@@ -390,7 +411,8 @@ mod tests {
         let mut drawing = Drawing::new([100.0, 80.0], palette.ground);
         let square = |low: f64, high: f64| vec![[low, low], [high, low], [high, high], [low, high]];
         drawing.put(Form::Area { rings: vec![square(10.0, 60.0), square(30.0, 40.0)], fill: palette.left }, 1);
-        drawing.put(Form::Line { points: vec![[0.0, 20.0], [100.0, 20.0]], stroke: Stroke::solid(palette.ink, 1.0) }, 2);
+        drawing
+            .put(Form::Line { points: vec![[0.0, 20.0], [100.0, 20.0]], stroke: Stroke::solid(palette.ink, 1.0) }, 2);
         drawing
     }
 

@@ -29,7 +29,11 @@ pub struct Font {
 
 macro_rules! font {
     ($role:ident, $name:literal) => {
-        Font { name: $name, role: FontRole::$role, bytes: include_bytes!(concat!("../../assets/fonts/", $name, ".ttf")) }
+        Font {
+            name: $name,
+            role: FontRole::$role,
+            bytes: include_bytes!(concat!("../../assets/fonts/", $name, ".ttf")),
+        }
     };
 }
 
@@ -60,12 +64,12 @@ pub enum Face {
     Mono,
 }
 
-/// Sans stands behind every face, before the fallbacks: Bold lacks what Sans has.
-const fn stack(face: Face) -> [usize; 5] {
+/// Sans stands behind every face, before the fallbacks: Bold lacks what Sans has. Mono alone draws boxes of lines.
+const fn stack(face: Face) -> [usize; 6] {
     match face {
-        Face::Sans => [0, 3, 4, 5, 2],
-        Face::Bold => [1, 0, 3, 4, 5],
-        Face::Mono => [2, 0, 3, 4, 5],
+        Face::Sans => [0, 3, 4, 5, 2, 1],
+        Face::Bold => [1, 0, 3, 4, 5, 2],
+        Face::Mono => [2, 0, 3, 4, 5, 1],
     }
 }
 

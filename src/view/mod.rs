@@ -6,6 +6,8 @@ mod drawing;
 mod fonts;
 mod paint;
 mod palette;
+#[cfg(test)]
+mod sample;
 mod svg;
 mod text;
 

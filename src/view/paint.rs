@@ -93,7 +93,13 @@ impl Painter {
         let Some(path) = path else { return };
         let dash = stroke.dash.and_then(|dash| StrokeDash::new(dash.map(|x| x as f32).to_vec(), 0.0));
         let line_cap = if dash.is_some() { LineCap::Butt } else { LineCap::Round };
-        let stroke_of = tiny_skia::Stroke { width: stroke.width as f32, line_cap, line_join: LineJoin::Round, dash, ..Default::default() };
+        let stroke_of = tiny_skia::Stroke {
+            width: stroke.width as f32,
+            line_cap,
+            line_join: LineJoin::Round,
+            dash,
+            ..Default::default()
+        };
         self.pixmap.stroke_path(&path, &paint_of(stroke.colour), &stroke_of, self.transform, None);
     }
 

@@ -106,14 +106,20 @@ fn number(x: f64) -> String {
 
 fn paint(attribute: &str, colour: Colour) -> String {
     let Colour { r, g, b, a } = colour;
-    let opacity = if a == 255 { String::new() } else { format!(" {attribute}-opacity=\"{}\"", number(f64::from(a) / 255.0)) };
+    let opacity =
+        if a == 255 { String::new() } else { format!(" {attribute}-opacity=\"{}\"", number(f64::from(a) / 255.0)) };
     format!(" {attribute}=\"#{r:02x}{g:02x}{b:02x}\"{opacity}")
 }
 
 fn line(stroke: &Stroke) -> String {
     let dash = stroke.dash.map(|[on, off]| format!(" stroke-dasharray=\"{} {}\"", number(on), number(off)));
     let cap = if stroke.dash.is_some() { "" } else { " stroke-linecap=\"round\"" };
-    format!("{} stroke-width=\"{}\"{}{cap}", paint("stroke", stroke.colour), number(stroke.width), dash.unwrap_or_default())
+    format!(
+        "{} stroke-width=\"{}\"{}{cap}",
+        paint("stroke", stroke.colour),
+        number(stroke.width),
+        dash.unwrap_or_default()
+    )
 }
 
 fn area(fill: Option<Colour>, stroke: Option<Stroke>) -> String {
@@ -156,10 +162,12 @@ mod tests {
         let mut drawing = Drawing::new([100.0, 50.5], palette.ground);
         let stroke = Stroke::dashed(palette.ink, 1.5, [4.0, 2.0]);
         drawing.put(Form::Line { points: vec![[0.0, -0.001], [10.0, 20.255]], stroke }, None);
-        drawing.put(Form::Circle { centre: [5.0, 5.0], radius: 2.0, fill: Some(palette.ink.faded(0.5)), stroke: None }, 3);
+        drawing
+            .put(Form::Circle { centre: [5.0, 5.0], radius: 2.0, fill: Some(palette.ink.faded(0.5)), stroke: None }, 3);
         let text = svg(&drawing);
         assert!(text.contains("viewBox=\"0 0 100 50.5\""), "{text}");
-        let line = text.find("<path d=\"M0 0L10 20.25\" stroke=\"#1c1f24\" stroke-width=\"1.5\" stroke-dasharray=\"4 2\"/>");
+        let line =
+            text.find("<path d=\"M0 0L10 20.25\" stroke=\"#1c1f24\" stroke-width=\"1.5\" stroke-dasharray=\"4 2\"/>");
         let circle = text.find("<circle cx=\"5\" cy=\"5\" r=\"2\" fill=\"#1c1f24\" fill-opacity=\"0.5\"/>");
         assert!(line.is_some() && circle.is_some() && line < circle, "{text}");
     }

@@ -81,9 +81,14 @@ fn pair(name: &str, value: impl Into<String>) -> DetailLine {
 fn ray_lines(what: &What) -> Option<Vec<DetailLine>> {
     Some(match what {
         What::Pixel { x, y, width, height } => {
-            vec![pair("column, row", format!("{x}, {y} (from the top left)")), pair("picture", format!("{width} × {height}"))]
+            vec![
+                pair("column, row", format!("{x}, {y} (from the top left)")),
+                pair("picture", format!("{width} × {height}")),
+            ]
         }
-        What::LooseRay { origin, direction } => vec![pair("origin", vector(*origin)), pair("direction", vector(*direction))],
+        What::LooseRay { origin, direction } => {
+            vec![pair("origin", vector(*origin)), pair("direction", vector(*direction))]
+        }
         What::Step { .. } => Vec::new(),
         What::Ray { ray, origin, direction, depth, medium, weight, left } => {
             let mut lines = vec![
@@ -101,9 +106,13 @@ fn ray_lines(what: &What) -> Option<Vec<DetailLine>> {
             vec![pair("place in the list", index.to_string()), pair("inside", count(*intervals, "interval"))]
         }
         What::Extent { low, high, inside, .. } => vec![
-            pair("low corner", vector(*low)),
-            pair("high corner", vector(*high)),
-            pair("inside", inside.map_or("missed".to_owned(), |[a, b]| format!("t from {} to {}", format_number(a), format_number(b)))),
+            pair("corners", format!("{} and {}", vector(*low), vector(*high))),
+            pair(
+                "inside",
+                inside.map_or("missed".to_owned(), |[a, b]| {
+                    format!("t from {} to {}", format_number(a), format_number(b))
+                }),
+            ),
         ],
         What::Transform { inverse, origin, direction, .. } => vec![
             DetailLine::Table {
@@ -145,7 +154,11 @@ fn search_lines(what: &What) -> Option<Vec<DetailLine>> {
             pair("roots", number_list(roots)),
         ],
         What::Search { range, stretches, undecided, roots } => vec![
-            pair("range", range.map_or("none".to_owned(), |[a, b]| format!("t from {} to {}", format_number(a), format_number(b)))),
+            pair(
+                "range",
+                range
+                    .map_or("none".to_owned(), |[a, b]| format!("t from {} to {}", format_number(a), format_number(b))),
+            ),
             pair("stretches bounded", stretches.to_string()),
             pair("undecided to the last bit", undecided.to_string()),
             pair("roots", number_list(roots)),
@@ -173,9 +186,27 @@ fn search_lines(what: &What) -> Option<Vec<DetailLine>> {
 fn hit_lines(what: &What) -> Option<Vec<DetailLine>> {
     Some(match what {
         What::Rejected { object, leaf, part, t, reason } => {
-            vec![pair("surface", surface(object, leaf, part)), pair("t", format_number(*t)), pair("reason", reason.clone())]
+            vec![
+                pair("surface", surface(object, leaf, part)),
+                pair("t", format_number(*t)),
+                pair("reason", reason.clone()),
+            ]
         }
-        What::Hit { object, leaf, shape, part, material, t, t_error, sense, point, generic_point, n_geometric, n_shading, uv } => vec![
+        What::Hit {
+            object,
+            leaf,
+            shape,
+            part,
+            material,
+            t,
+            t_error,
+            sense,
+            point,
+            generic_point,
+            n_geometric,
+            n_shading,
+            uv,
+        } => vec![
             pair("surface", format!("{} (a {})", surface(object, leaf, part), shape.replace('_', " "))),
             pair("material", material.clone()),
             pair("t", format!("{} ± {}", format_number(*t), super::format::significant(*t_error, 2))),
@@ -208,7 +239,9 @@ fn light_lines(what: &What) -> Vec<DetailLine> {
             pair("passes", percent(*passes)),
             pair("rule", reason.clone()),
         ],
-        What::Reflection { direction, share } => vec![pair("r", vector(*direction)), pair("share", format_number(*share))],
+        What::Reflection { direction, share } => {
+            vec![pair("r", vector(*direction)), pair("share", format_number(*share))]
+        }
         What::Snell { .. } => snell_lines(what),
         What::Medium { object, before, after, decided, interpenetration, hidden } => {
             let mut lines = vec![
@@ -288,8 +321,12 @@ fn polynomial(coefficients: &[f64; 5]) -> String {
             (false, false) => " + ",
         };
         text.push_str(sign);
-        text.push_str(&format_number(coefficient.abs()));
-        text.push_str(power);
+        if coefficient.abs() == 1.0 && !power.is_empty() {
+            text.push_str(power.trim_start());
+        } else {
+            text.push_str(&format_number(coefficient.abs()));
+            text.push_str(power);
+        }
     }
     if text.is_empty() { "0".to_owned() } else { text }
 }

@@ -27,9 +27,7 @@ fn explain_search(what: &What) -> Option<&'static str> {
             "The inverse transform takes the ray to the shape's own coordinates, where its equation is simple. \
              c is not normalised, so that t means the same in both."
         }
-        What::Primitive { .. } => {
-            "The hits with this one shape alone, before it is combined with others."
-        }
+        What::Primitive { .. } => "The hits with this one shape alone, before it is combined with others.",
         What::Planes { .. } => {
             "Each plane gives a time t = m·(spot − S) / m·c. The ray is inside after the latest entering time and \
              before the earliest leaving time; when the first passes the second, the ray misses."
@@ -77,7 +75,9 @@ const fn combined(operator: Operator, early: bool) -> &'static str {
         (Operator::Union, _) => "Inside left or right. Only when both lists are empty does the ray miss the union.",
         (Operator::Intersection, false) => "Inside both left and right: from the later entry to the earlier exit.",
         (Operator::Intersection, true) => "One of the two lists is empty, so nothing can be inside both.",
-        (Operator::Difference, false) => "Inside left but not inside right. Where right's surface remains, its normal is turned round.",
+        (Operator::Difference, false) => {
+            "Inside left but not inside right. Where right's surface remains, its normal is turned round."
+        }
         (Operator::Difference, true) => "The list of one side decides the difference without the other's.",
     }
 }
@@ -107,7 +107,9 @@ fn explain_light(what: &What) -> &'static str {
              mirrored direction."
         }
         What::Shadow { .. } => "Something lies between the hit and the light.",
-        What::Reflection { .. } => "r = dir − 2 (dir·m) m: the part along the normal is turned round, the rest is kept.",
+        What::Reflection { .. } => {
+            "r = dir − 2 (dir·m) m: the part along the normal is turned round, the rest is kept."
+        }
         What::Snell { total_internal_reflection: true, .. } => {
             "The angle of incidence is past the critical angle: no light gets through, all of it is reflected."
         }

@@ -10,3 +10,56 @@ pub use detail::{Detail, DetailLine, detail};
 pub use format::{brief, brief_vector, span_list};
 pub use row::{Row, row};
 pub use tree::tree_text;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::view::{Face, has_glyph, sample};
+
+    #[test]
+    fn every_character_of_every_event_has_a_glyph() {
+        let tree = sample::every_kind();
+        let mut text = tree_text(&tree);
+        for event in &tree.events {
+            let row = row(event);
+            text.push_str(&format!("{}{}{}{}", row.icon, row.label, row.numbers, detail(event).explanation));
+        }
+        for face in [Face::Sans, Face::Mono] {
+            let missing: String = text.chars().filter(|&c| c != '\n' && !has_glyph(face, c)).collect();
+            assert_eq!(missing, "", "in {face:?}");
+        }
+    }
+
+    #[test]
+    fn an_early_out_is_told_in_the_row_and_its_reason_below() {
+        let text = tree_text(&sample::every_kind());
+        assert!(text.contains("∩ pin = left ∩ right: early out   nothing\n"), "{text}");
+        assert!(text.contains("early out: left is empty, so nothing can be inside both\n"), "{text}");
+    }
+
+    #[test]
+    fn lists_of_intervals_name_leaf_and_part() {
+        let text = tree_text(&sample::every_kind());
+        let combined = "left − right: [4.5 surface of inner (turned round), 5 surface of outer]\n";
+        assert!(text.contains(combined), "{text}");
+    }
+
+    #[test]
+    fn rows_are_indented_below_their_parents() {
+        let tree = sample::every_kind();
+        let text = tree_text(&tree);
+        for event in &tree.events {
+            let row = row(event);
+            let line = format!("\n{}{} {}", "  ".repeat(tree.depth(event.id)), row.icon, row.label);
+            assert!(format!("\n{text}").contains(&line), "{line}");
+        }
+    }
+
+    #[test]
+    fn an_explanation_is_given_once() {
+        let text = tree_text(&sample::every_kind());
+        let sentence = "The ray from the eye through the pixel.";
+        assert!(text.matches(sentence).count() <= 1);
+        assert_eq!(text.matches("d(t) is positive outside the shape").count(), 1);
+    }
+}

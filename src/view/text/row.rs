@@ -106,7 +106,9 @@ fn numbers(event: &Event) -> String {
     match &event.what {
         What::Pixel { width, height, .. } => format!("of {width} × {height}"),
         What::LooseRay { origin, direction } => format!("{} + {} t", brief_vector(*origin), brief_vector(*direction)),
-        What::Step { .. } => event.working.last().map(|line| format!("{} = {}", line.symbol, line.result)).unwrap_or_default(),
+        What::Step { .. } => {
+            event.working.last().map(|line| format!("{} = {}", line.symbol, line.result)).unwrap_or_default()
+        }
         What::Ray { origin, direction, weight, .. } if *weight == 1.0 => {
             format!("{} + {} t", brief_vector(*origin), brief_vector(*direction))
         }
@@ -120,9 +122,10 @@ fn numbers(event: &Event) -> String {
         What::Roots { candidates } => times_at(accepted(candidates).map(|candidate| candidate.t)),
         What::Planes { rows, .. } => planes_outcome(rows),
         What::Quadratic { discriminant, roots, .. } if roots.is_empty() => format!("D = {}", brief(*discriminant)),
-        What::Quadratic { roots, .. } | What::Quartic { roots, .. } | What::Search { roots, .. } | What::Implicit { roots, .. } => {
-            times_at(roots.iter().copied())
-        }
+        What::Quadratic { roots, .. }
+        | What::Quartic { roots, .. }
+        | What::Search { roots, .. }
+        | What::Implicit { roots, .. } => times_at(roots.iter().copied()),
         What::Combine { combined, .. } => times(combined),
         What::Rejected { t, reason, .. } => format!("t = {}: {reason}", brief(*t)),
         What::Hit { t, point, .. } => format!("t = {} at {}", brief(*t), brief_vector(*point)),
@@ -152,7 +155,9 @@ fn snell_numbers(theta1: f64, theta2: Option<f64>, critical: Option<f64>) -> Str
 
 fn planes_outcome(rows: &[crate::record::PlaneRow]) -> String {
     match rows.last() {
-        Some(row) if row.sense == PlaneSense::ParallelOutside => format!("parallel to {} on its outside: miss", row.name),
+        Some(row) if row.sense == PlaneSense::ParallelOutside => {
+            format!("parallel to {} on its outside: miss", row.name)
+        }
         Some(row) => match (row.t_in, row.t_out) {
             (Some(t_in), Some(t_out)) if t_in > t_out => format!("t_in {} > t_out {}: miss", brief(t_in), brief(t_out)),
             (t_in, t_out) => {
@@ -183,7 +188,11 @@ pub(super) fn titled(shape: &str, name: &str) -> String {
 
 /// `wall of shell in bowl`, without saying anything twice.
 pub(super) fn surface(object: &str, leaf: &str, part: &str) -> String {
-    if leaf == object || leaf.is_empty() { format!("{part} of {object}") } else { format!("{part} of {leaf} in {object}") }
+    if leaf == object || leaf.is_empty() {
+        format!("{part} of {object}")
+    } else {
+        format!("{part} of {leaf} in {object}")
+    }
 }
 
 pub(super) fn capitalised(word: &str) -> String {

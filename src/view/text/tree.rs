@@ -31,11 +31,12 @@ fn write_event(text: &mut String, event: &Event, depth: usize, explained: &mut B
     let detail = detail(event);
     let below = depth + 2;
     if explained.insert(detail.explanation) {
-        put_line(text, below, &format!("“{}”", detail.explanation));
+        put_wrapped(text, below, detail.explanation);
     }
     for line in &detail.lines {
         match line {
             DetailLine::Pair { name, .. } if said_by_row(&event.what, name) => {}
+            DetailLine::Pair { name, .. } if event.working.iter().any(|line| line.symbol == *name) => {}
             DetailLine::Pair { name, value } => put_line(text, below, &format!("{name}: {value}")),
             DetailLine::Working { symbol, formula, numbers, result } => {
                 put_line(text, below, &working(symbol, formula, numbers, result));
@@ -59,11 +60,14 @@ fn working(symbol: &str, formula: &str, numbers: &str, result: &str) -> String {
 /// Whether the row above has said this already.
 fn said_by_row(what: &What, name: &str) -> bool {
     match what {
-        What::Pixel { .. } | What::LooseRay { .. } | What::Rejected { .. } | What::Nothing { .. } | What::Ambient { .. } => true,
+        What::Pixel { .. }
+        | What::LooseRay { .. }
+        | What::Rejected { .. }
+        | What::Nothing { .. }
+        | What::Ambient { .. }
+        | What::Primitive { .. } => true,
         What::Ray { .. } => matches!(name, "kind" | "depth" | "weight"),
-        What::Object { .. } => name == "inside",
-        What::Extent { .. } => name == "inside",
-        What::Primitive { .. } => true,
+        What::Object { .. } | What::Extent { .. } => name == "inside",
         What::Medium { .. } => matches!(name, "before" | "after"),
         What::Limit { .. } => name == "therefore",
         What::Shadow { .. } => matches!(name, "in the way" | "passes"),
@@ -79,6 +83,21 @@ fn put_line(text: &mut String, depth: usize, line: &str) {
     text.push('\n');
 }
 
+/// A sentence after a dash, broken into lines that fit beside each other on a screen.
+fn put_wrapped(text: &mut String, depth: usize, sentence: &str) {
+    const WIDTH: usize = 96;
+    let mut line = "—".to_owned();
+    for word in sentence.split_whitespace() {
+        if line.chars().count() + 1 + word.chars().count() > WIDTH {
+            put_line(text, depth, &line);
+            line = " ".to_owned();
+        }
+        line.push(' ');
+        line.push_str(word);
+    }
+    put_line(text, depth, &line);
+}
+
 /// A table with aligned columns: numbers to the right, words to the left.
 fn put_table(text: &mut String, depth: usize, headers: &[&str], rows: &[Vec<String>]) {
     let columns = 0..headers.len();
@@ -88,7 +107,8 @@ fn put_table(text: &mut String, depth: usize, headers: &[&str], rows: &[Vec<Stri
         cells.chain([headers[column].chars().count()]).max().unwrap_or(0)
     };
     let widths: Vec<usize> = columns.clone().map(width).collect();
-    let numeric: Vec<bool> = columns.clone().map(|column| rows.iter().all(|row| is_number(&cell(row, column)))).collect();
+    let numeric: Vec<bool> =
+        columns.clone().map(|column| rows.iter().all(|row| is_number(&cell(row, column)))).collect();
     let mut put = |cells: Vec<String>| {
         let padded = cells.iter().zip(&widths).zip(&numeric).map(|((cell, &width), &numeric)| {
             if numeric { format!("{cell:>width$}") } else { format!("{cell:<width$}") }
