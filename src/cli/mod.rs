@@ -1,0 +1,70 @@
+//! The command line: one file for each command.
+
+mod failure;
+mod open;
+mod output;
+mod probe;
+mod render;
+mod scene_argument;
+mod scenes;
+mod schema;
+mod stats;
+mod trace;
+
+use clap::{Parser, Subcommand};
+use failure::Failure;
+use std::process::ExitCode;
+
+const EXAMPLES: &str = "\
+Examples:
+  rayscope                                      open the workbench
+  rayscope open scenes/csg/bowl.json            open it on a scene of your own
+  rayscope render csg/bowl -o bowl.png          render a picture
+  rayscope trace csg/bowl --pixel 320,240       print everything that a pixel's ray did
+  rayscope scenes                               list the scenes that come with the program
+
+SCENE is a file, or the name of a scene that comes with the program, such as csg/bowl.
+
+Exit codes:
+    0  everything went well
+    1  a request was refused, or a result could not be written
+    2  the command line or a scene is wrong
+  130  interrupted by Ctrl-C; what was finished is kept
+  141  whoever was reading the output stopped";
+
+/// Shows the whole story of a ray: every number, every hit, every reason.
+#[derive(Debug, Parser)]
+#[command(name = "rayscope", version, after_help = EXAMPLES)]
+struct Arguments {
+    #[command(subcommand)]
+    command: Option<Command>,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    Open(open::Open),
+    Render(render::Render),
+    Trace(trace::Trace),
+    Probe(probe::Probe),
+    Scenes(scenes::Scenes),
+    Schema(schema::Schema),
+}
+
+/// Runs the program on the arguments that it was started with.
+#[must_use]
+pub fn run() -> ExitCode {
+    let arguments = match Arguments::try_parse() {
+        Ok(arguments) => arguments,
+        Err(error) => return failure::report_usage(&error),
+    };
+    let outcome = match arguments.command {
+        None => open::Open::default().run(),
+        Some(Command::Open(open)) => open.run(),
+        Some(Command::Render(render)) => render.run(),
+        Some(Command::Trace(trace)) => trace.run(),
+        Some(Command::Probe(probe)) => probe.run(),
+        Some(Command::Scenes(scenes)) => scenes.run(),
+        Some(Command::Schema(schema)) => schema.run(),
+    };
+    outcome.map_or_else(|failure| failure.report(), |()| ExitCode::SUCCESS)
+}

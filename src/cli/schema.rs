@@ -1,0 +1,41 @@
+//! `rayscope schema`: the JSON Schemas of the files that the program reads and writes.
+
+use super::failure::Failure;
+use super::output::Output;
+use crate::scene::scene_schema;
+use crate::trace::trace_schema;
+use clap::{Args, ValueEnum};
+
+/// Print the JSON Schema of scene files or of recorded traces
+#[derive(Args, Debug)]
+#[command(after_help = "\
+Examples:
+  rayscope schema > scene.schema.json
+  rayscope schema trace > trace.schema.json
+
+With \"$schema\": \"scene.schema.json\" as its first member, an editor completes and checks a scene file.")]
+pub struct Schema {
+    /// Of which file
+    #[arg(value_enum, default_value_t = Of::Scene)]
+    of: Of,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum Of {
+    /// Scene files
+    Scene,
+    /// What `rayscope trace --format json` writes
+    Trace,
+}
+
+impl Schema {
+    /// Prints the schema.
+    pub fn run(&self) -> Result<(), Failure> {
+        let schema = match self.of {
+            Of::Scene => scene_schema(),
+            Of::Trace => trace_schema(),
+        };
+        let text = serde_json::to_string_pretty(&schema).map_err(|error| Failure::refused(error.to_string()))?;
+        Output::Standard.write((text + "\n").as_bytes())
+    }
+}
