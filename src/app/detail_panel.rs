@@ -64,7 +64,7 @@ fn working(ui: &mut Ui, symbol: &str, formula: &str, numbers: &str, result: &str
         let mono = |text: String| RichText::new(text).monospace();
         ui.add(Label::new(mono(format!("{symbol} = {formula}")).color(palette.text)).wrap());
         if numbers != formula && numbers != result {
-            ui.add(Label::new(mono(format!("  = {numbers}")).color(palette.number)).wrap());
+            ui.add(Label::new(mono(format!("  = {numbers}")).color(palette.text)).wrap());
         }
         ui.add(Label::new(mono(format!("  = {result}")).color(palette.accent).strong()).wrap());
     });

@@ -1,7 +1,7 @@
 //! The picture: hover to read a pixel, click to record it, arrow keys to go to its neighbours.
 
 use super::recording::{HitMark, Recording};
-use super::theme::Palette;
+use super::theme::{Palette, colour};
 use crate::record::{Counter, Entry, NullRecorder, RayKind, Recorder, What, format_number};
 use crate::scene::{Rgb, Scene};
 use crate::trace::{srgb, trace_pixel};
@@ -195,8 +195,8 @@ fn draw_crosshair(painter: &Painter, pixel: Rect, picture: Rect) {
         (vec2(pixel.center().x, frame.top() - 14.0), vec2(pixel.center().x, frame.top() - 3.0)),
         (vec2(pixel.center().x, frame.bottom() + 3.0), vec2(pixel.center().x, frame.bottom() + 14.0)),
     ];
-    for (width, colour) in [(3.5, Color32::from_black_alpha(200)), (1.5, Color32::WHITE)] {
-        let stroke = Stroke::new(width, colour);
+    for (width, ink) in [(3.5, Color32::from_black_alpha(200)), (1.5, Color32::WHITE)] {
+        let stroke = Stroke::new(width, ink);
         for (from, to) in arms {
             painter.line_segment([from.to_pos2(), to.to_pos2()], stroke);
         }
@@ -223,14 +223,15 @@ fn draw_hits(painter: &Painter, scene: &Scene, place: &Placement, recording: &Re
     }
 }
 
-/// On the picture, where any colour can lie behind, rays are drawn brighter than in the side view.
+/// Rays have the colours of the drawings on dark ground: with a dark rim they are seen on any colour.
 fn ray_colour(kind: RayKind) -> Color32 {
-    match kind {
-        RayKind::Camera => Color32::WHITE,
-        RayKind::Reflected => Color32::from_rgb(0xff, 0xb5, 0x4d),
-        RayKind::Refracted => Color32::from_rgb(0x63, 0xd2, 0xff),
-        RayKind::Shadow => Color32::from_rgb(0xc8, 0xc8, 0xc8),
-    }
+    let palette = crate::view::Theme::Dark.palette();
+    colour(match kind {
+        RayKind::Camera => palette.camera,
+        RayKind::Reflected => palette.reflected,
+        RayKind::Refracted => palette.refracted,
+        RayKind::Shadow => palette.shadow,
+    })
 }
 
 fn read_pixel(scene: &Scene, pixel: [u32; 2]) -> Reading {

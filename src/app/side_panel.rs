@@ -14,6 +14,9 @@ use std::sync::Arc;
 /// How far one can zoom in and out. Further in, the drawing's numbers run out of digits; further out, nothing is left.
 const ZOOM_RANGE: std::ops::RangeInclusive<f64> = 0.05..=500.0;
 
+/// How far from a mark a click still counts, in points. Less makes thin lines hard to hit.
+const REACH: f64 = 5.0;
+
 /// The side view with its pan and zoom.
 pub struct SidePanel {
     plane: SectionPlane,
@@ -113,7 +116,7 @@ impl SidePanel {
         }
         let click = response.clicked().then(|| response.interact_pointer_pos()).flatten()?;
         let local = click - rect.min;
-        shown.drawing.as_ref().filter(|_| shown.key == key)?.event_at([f64::from(local.x), f64::from(local.y)])
+        shown.drawing.as_ref().filter(|_| shown.key == key)?.event_at([f64::from(local.x), f64::from(local.y)], REACH)
     }
 
     fn key(&self, ui: &Ui, scene: &Arc<Scene>, recording: &Recording, rect: Rect) -> Key {
