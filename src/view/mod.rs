@@ -6,7 +6,6 @@ mod axis;
 mod drawing;
 mod flights;
 mod fonts;
-#[cfg(test)]
 mod interval_bars;
 mod labels;
 mod paint;
