@@ -52,7 +52,7 @@ impl ImagePanel {
         };
         ui.painter().rect_filled(above, 0.0, palette.backdrop);
         let place = Placement::fit(view.scene, above.shrink(8.0), ui.pixels_per_point());
-        let response = ui.interact(place.rect, ui.id().with("picture"), Sense::click());
+        let response = ui.interact(place.rect, ui.scope_id().with("picture"), Sense::click());
         response.widget_info(|| WidgetInfo::labeled(Role::Image, true, "Rendered image"));
         let response = response.on_hover_cursor(egui::CursorIcon::Crosshair);
 

@@ -91,7 +91,7 @@ fn show(ui: &Ui, canvas: &mut Canvas<Key>, plot: Plot, recording: &Recording, re
     let wanted = key.clone();
     let shown = canvas.update(ui.ctx(), &key, move || plot.draw(&wanted))?;
     if let Some(texture) = &shown.texture {
-        let response = ui.interact(rect, ui.id().with(plot.name()), Sense::hover());
+        let response = ui.interact(rect, ui.scope_id().with(plot.name()), Sense::hover());
         response.widget_info(|| WidgetInfo::labeled(Role::Image, true, plot.name()));
         let place = Rect::from_min_size(inside.min, Vec2::from(shown.key.size.map(|points| points as f32)));
         let unit_square = Rect::from_min_max(Pos2::ZERO, pos2(1.0, 1.0));
