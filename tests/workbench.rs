@@ -66,7 +66,12 @@ fn press(bench: &mut Bench, key: Key) {
 fn click(bench: &mut Bench, at: Pos2) {
     bench.event(Event::PointerMoved(at));
     for pressed in [true, false] {
-        bench.event(Event::PointerButton { pos: at, button: PointerButton::Primary, pressed, modifiers: Default::default() });
+        bench.event(Event::PointerButton {
+            pos: at,
+            button: PointerButton::Primary,
+            pressed,
+            modifiers: Default::default(),
+        });
     }
     settle(bench);
 }

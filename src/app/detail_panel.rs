@@ -43,10 +43,12 @@ fn lines(ui: &mut Ui, lines: &[DetailLine]) {
 
 fn pairs(ui: &mut Ui, group: &[DetailLine]) {
     let palette = Palette::current(ui.ctx());
-    let pairs = || group.iter().filter_map(|line| match line {
-        DetailLine::Pair { name, value } => Some((name, value)),
-        _ => None,
-    });
+    let pairs = || {
+        group.iter().filter_map(|line| match line {
+            DetailLine::Pair { name, value } => Some((name, value)),
+            _ => None,
+        })
+    };
     let font = TextStyle::Body.resolve(ui.style());
     let width = |name: &String| ui.painter().layout_no_wrap(name.clone(), font.clone(), palette.weak).size().x;
     let column = pairs().map(|(name, _)| width(name)).fold(0.0, f32::max).min(0.45 * ui.available_width()).ceil();

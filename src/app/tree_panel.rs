@@ -6,8 +6,8 @@ use super::theme::Palette;
 use crate::record::EventId;
 use crate::view::{Row, row};
 use egui::{
-    Align2, EventFilter, FontId, Key, Rect, Response, Role, ScrollArea, Sense, Stroke, TextStyle, Ui, WidgetInfo,
-    pos2, vec2,
+    Align2, EventFilter, FontId, Key, Rect, Response, Role, ScrollArea, Sense, Stroke, TextStyle, Ui, WidgetInfo, pos2,
+    vec2,
 };
 use std::sync::Arc;
 
@@ -166,7 +166,8 @@ fn keys(ui: &Ui, recording: &mut Recording, whole: &Response) {
     };
     let page = isize::try_from((whole.rect.height() / ROW) as usize).unwrap_or(1).max(1);
     let moves = [(Key::ArrowUp, -1), (Key::ArrowDown, 1), (Key::PageUp, -page), (Key::PageDown, page)];
-    if let Some(target) = moves.into_iter().find(|(key, _)| pressed(*key)).and_then(|(_, distance)| neighbour(distance)) {
+    if let Some(target) = moves.into_iter().find(|(key, _)| pressed(*key)).and_then(|(_, distance)| neighbour(distance))
+    {
         recording.select(target);
     }
     match recording.outline.is_open(id) {

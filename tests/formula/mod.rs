@@ -73,7 +73,8 @@ impl Bounded {
 
     fn power(self, exponent: &Self) -> Result<Self, String> {
         let (n, dn) = exponent.scalar()?;
-        let slope_in_n = self.0.iter().map(|(x, _)| (x.abs().powf(n) * x.abs().max(1e-300).ln()).abs() * dn).collect::<Vec<_>>();
+        let slope_in_n =
+            self.0.iter().map(|(x, _)| (x.abs().powf(n) * x.abs().max(1e-300).ln()).abs() * dn).collect::<Vec<_>>();
         let mut result = self.map(|x| x.powf(n), |x| n * x.abs().powf(n - 1.0));
         result.0.iter_mut().zip(slope_in_n).for_each(|((_, e), more)| *e += more);
         Ok(result)
