@@ -230,8 +230,7 @@ impl Reader<'_> {
         let value: f64 = digits.parse().map_err(|_| format!("no number at `{}`", self.rest))?;
         self.rest = after;
         let is_mantissa = after.starts_with("·10") && after[4..].starts_with(|c| superscript(c).is_some());
-        let exact = value.fract() == 0.0 && value < 1000.0 && !is_mantissa;
-        Ok(if exact { Bounded(vec![(value, 0.0)]) } else { shown(value, if is_mantissa { 4 } else { 6 }) })
+        Ok(shown(value, if is_mantissa { 4 } else { 6 }))
     }
 }
 
