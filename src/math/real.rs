@@ -1,5 +1,6 @@
 //! The arithmetic that a solver is written in, as a type: `f32`, `f64` or [`DoubleDouble`](super::DoubleDouble).
 
+use super::DoubleDouble;
 use std::fmt::Debug;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -17,6 +18,8 @@ pub trait Real:
 {
     /// Unit roundoff u: the largest relative error of one rounding, as an `f64`.
     const UNIT_ROUNDOFF: f64;
+    /// Whether there is no finer arithmetic to turn to when a question cannot be decided in this one.
+    const FINEST: bool = Self::UNIT_ROUNDOFF <= DoubleDouble::UNIT_ROUNDOFF;
     /// Zero.
     const ZERO: Self;
     /// One.
@@ -26,6 +29,8 @@ pub trait Real:
     fn from_f64(x: f64) -> Self;
     /// The nearest `f64`.
     fn to_f64(self) -> f64;
+    /// The same number with more digits.
+    fn widen(self) -> DoubleDouble;
     /// The square root; NaN for negative numbers.
     fn sqrt(self) -> Self;
     /// The magnitude.
@@ -64,6 +69,10 @@ impl Real for f64 {
         self
     }
 
+    fn widen(self) -> DoubleDouble {
+        DoubleDouble::from_f64(self)
+    }
+
     fn sqrt(self) -> Self {
         self.sqrt()
     }
@@ -95,6 +104,10 @@ impl Real for f32 {
 
     fn to_f64(self) -> f64 {
         f64::from(self)
+    }
+
+    fn widen(self) -> DoubleDouble {
+        DoubleDouble::from_f64(f64::from(self))
     }
 
     fn sqrt(self) -> Self {

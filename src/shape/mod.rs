@@ -4,6 +4,7 @@
 //! scene file with their schema, and the battery of tests that every shape has to pass. Adding a primitive means one
 //! new file and one new row.
 
+mod boundary;
 mod convex_polyhedron;
 mod cube;
 mod cylinder;
@@ -11,9 +12,11 @@ mod outline;
 mod plane;
 mod planes;
 mod primitive;
+mod report;
 mod sphere;
 mod square;
 mod superellipsoid;
+mod superellipsoid_search;
 mod tapered_cylinder;
 mod torus;
 

@@ -1,6 +1,6 @@
 //! What every generic primitive can do.
 
-use crate::math::{Real, dot, scale_to_unit};
+use crate::math::{DoubleDouble, Real, dot, scale_to_unit};
 use crate::record::{Recorder, Sense};
 use glam::{DVec2, DVec3};
 
@@ -52,6 +52,34 @@ impl<A: Real> GenericRay<A> {
         first - dot(self.at(first), self.direction) / length_squared
     }
 
+    /// The same ray in the arithmetic with the most digits.
+    #[must_use]
+    pub fn widen(&self) -> GenericRay<DoubleDouble> {
+        GenericRay {
+            origin: self.origin.map(Real::widen),
+            direction: self.direction.map(Real::widen),
+            t_per_tau: self.t_per_tau,
+        }
+    }
+
+    /// S as plain numbers.
+    #[must_use]
+    pub fn start(&self) -> [f64; 3] {
+        self.origin.map(Real::to_f64)
+    }
+
+    /// c as plain numbers, at its own length.
+    #[must_use]
+    pub fn course(&self) -> [f64; 3] {
+        self.direction.map(|x| x.to_f64() / self.t_per_tau)
+    }
+
+    /// The largest component of S: what rounding errors near the solid are in proportion to.
+    #[must_use]
+    pub fn reach(&self) -> f64 {
+        self.start().into_iter().fold(0.0, |largest: f64, x| largest.max(x.abs()))
+    }
+
     /// Bound on how far the hit time of a root moves when the ray's numbers move by a rounding each.
     ///
     /// `gradient` is that of the implicit function at the hit: δt = Σ|∂F/∂xᵢ| (|Sᵢ| + |τ cᵢ|) u / |∇F · c|. At a tangent
@@ -97,7 +125,8 @@ pub trait Primitive {
     /// Finds **every** crossing for all real t, ascending, and appends them to `crossings`.
     ///
     /// A closed solid's crossings alternate between [`Sense::Enter`] and [`Sense::Leave`]. Where the solid is unbounded
-    /// the first may be a `Leave` and the last an `Enter`. Touched points without length are no crossings of a closed
+    /// the first may be a `Leave` and the last an `Enter`; without any crossing the sign of [`implicit`](Self::implicit)
+    /// at S tells whether the whole line is inside. Touched points without length are no crossings of a closed
     /// solid. The square's are all [`Sense::Touch`].
     ///
     /// The working is reported to `recorder` (plane table, quadratic, quartic, search), then the implicit function d(t),

@@ -1,0 +1,73 @@
+//! The workbench: the picture, the ray's story, the side view and the plots, all looking at one selected event.
+//!
+//! Everything but `window` and `file_dialog` is built on `egui` alone, so that tests use it without a window. Nothing
+//! here computes anything about rays: it shows what [`trace`](crate::trace) recorded and what [`view`](crate::view)
+//! made of it.
+
+mod canvas;
+mod detail_panel;
+mod file_dialog;
+mod image_panel;
+mod outline;
+mod panel;
+mod plots_panel;
+mod problem;
+mod recording;
+mod renderer;
+mod scene_menu;
+mod side_panel;
+mod split;
+mod stepper;
+mod theme;
+mod toolbar;
+mod top_bar;
+mod tree_panel;
+mod window;
+mod workbench;
+
+pub use outline::Outline;
+pub use recording::{HitMark, Recording};
+pub use stepper::Step;
+pub use workbench::{OpenScene, Problem, Shares, Workbench};
+
+/// Opens the workbench on the text of a scene and stays until its window is closed.
+///
+/// `name` is the scene's name, or its file's. A scene with errors is no reason not to open: the window shows them.
+///
+/// # Errors
+///
+/// One line that says why there is no window, and what to do without one.
+pub fn run(name: &str, text: String) -> Result<(), String> {
+    if !has_display() {
+        return Err(without_display("there is no display"));
+    }
+    window::open(name, text).map_err(|error| without_display(&one_line(&error.to_string())))
+}
+
+/// Elsewhere than on Unix desktops a display is taken for granted.
+fn has_display() -> bool {
+    let set = |name| std::env::var_os(name).is_some_and(|value| !value.is_empty());
+    !cfg!(all(unix, not(target_os = "macos"))) || set("DISPLAY") || set("WAYLAND_DISPLAY") || set("WAYLAND_SOCKET")
+}
+
+fn without_display(why: &str) -> String {
+    format!(
+        "the workbench needs a window, and {why}; without one, `rayscope trace SCENE --pixel X,Y` tells the same story as text"
+    )
+}
+
+fn one_line(text: &str) -> String {
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn without_a_display_one_line_names_the_way_out() {
+        let message = without_display(&one_line("cannot\n  connect"));
+        assert!(!message.contains('\n'));
+        assert!(message.contains("cannot connect") && message.contains("rayscope trace"));
+    }
+}

@@ -1,0 +1,107 @@
+//! The recorded pixel that all panels look at, and the one selection that they share.
+
+use super::outline::Outline;
+use super::stepper::Step;
+use crate::record::{EventId, RayKind, What};
+use crate::scene::Scene;
+use crate::trace::{RayTree, record_pixel};
+use glam::DVec3;
+use std::sync::Arc;
+
+/// A hit, and the ray that made it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct HitMark {
+    /// The event of the hit.
+    pub event: EventId,
+    /// Why the ray was sent.
+    pub kind: RayKind,
+    /// Where the ray started, in world space; none for the camera ray.
+    pub from: Option<DVec3>,
+    /// Where it hit, in world space.
+    pub point: DVec3,
+}
+
+/// A pixel's tree with what the panels need beside it.
+#[derive(Debug)]
+pub struct Recording {
+    /// The pixel.
+    pub pixel: [u32; 2],
+    /// What happened.
+    pub tree: Arc<RayTree>,
+    /// Which rows are shown.
+    pub outline: Outline,
+    /// All hits, in the order in which they happened.
+    pub hits: Vec<HitMark>,
+    selected: EventId,
+    /// Whether the selection moved since the tree panel last scrolled to it.
+    pub selection_moved: bool,
+}
+
+impl Recording {
+    /// Records a pixel.
+    #[must_use]
+    pub fn new(scene: &Scene, pixel: [u32; 2]) -> Self {
+        let tree = record_pixel(scene, pixel[0], pixel[1]);
+        let outline = Outline::new(&tree);
+        let hits = hits(&tree);
+        Self { pixel, tree: Arc::new(tree), outline, hits, selected: 0, selection_moved: true }
+    }
+
+    /// The selected event: the step of the story at which all panels stand.
+    #[must_use]
+    pub fn selected(&self) -> EventId {
+        self.selected
+    }
+
+    /// Selects an event and shows its row.
+    pub fn select(&mut self, id: EventId) {
+        if id < self.tree.end() {
+            self.outline.reveal(&self.tree, id);
+            self.selection_moved |= self.selected != id;
+            self.selected = id;
+        }
+    }
+
+    /// Moves the selection; stays where there is nothing to move to.
+    pub fn step(&mut self, step: Step) {
+        if let Some(target) = step.target(&self.tree, self.selected) {
+            self.select(target);
+        }
+    }
+
+    /// Selects the event where the story gets interesting: the first closest hit, or the nothing that was seen.
+    pub fn select_outcome(&mut self) {
+        let outcome = self.tree.events.iter().find(|e| matches!(e.what, What::Hit { .. } | What::Nothing { .. }));
+        if let Some(id) = outcome.map(|event| event.id) {
+            self.select(id);
+        }
+    }
+
+    /// Opens or folds a row; a selection that would vanish moves up to the row that stays.
+    pub fn set_open(&mut self, id: EventId, open: bool) {
+        self.outline.set_open(id, open);
+        if self.outline.row_of(self.selected).is_none() {
+            self.selected = id;
+        }
+    }
+}
+
+fn hits(tree: &RayTree) -> Vec<HitMark> {
+    let mark = |event: &crate::record::Event| match &event.what {
+        What::Hit { point, .. } => {
+            let (kind, from) = ray_above(tree, event.id);
+            Some(HitMark { event: event.id, kind, from, point: DVec3::from_array(*point) })
+        }
+        _ => None,
+    };
+    tree.events.iter().filter_map(mark).collect()
+}
+
+/// The ray that an event belongs to. A camera ray's event lies beside its hit, not above it.
+fn ray_above(tree: &RayTree, id: EventId) -> (RayKind, Option<DVec3>) {
+    let spawned = tree.path(id).into_iter().rev().find_map(|above| match &tree.event(above).what {
+        What::Ray { ray, origin, .. } if *ray != RayKind::Camera => Some((*ray, Some(DVec3::from_array(*origin)))),
+        _ => None,
+    });
+    spawned.unwrap_or((RayKind::Camera, None))
+}

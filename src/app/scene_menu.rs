@@ -1,0 +1,86 @@
+//! Choosing a scene: the embedded ones by topic, or a file.
+
+use super::theme::Palette;
+use crate::scene::{embedded_scenes, load};
+use egui::{RichText, ScrollArea, Ui};
+
+/// What was chosen in the menu.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Choice {
+    /// An embedded scene, by name.
+    Embedded(String),
+    /// The dialogue that opens a file.
+    OpenFile,
+}
+
+/// A line of the menu.
+struct Entry {
+    name: String,
+    topic: String,
+    title: String,
+}
+
+/// The embedded scenes with their titles, read when the menu is first built.
+pub struct SceneMenu {
+    entries: Vec<Entry>,
+}
+
+impl Default for SceneMenu {
+    fn default() -> Self {
+        let entry = |scene: crate::scene::EmbeddedScene| {
+            let title = load(scene.text, &scene.name).map_or_else(|_| scene.name.clone(), |compiled| compiled.title);
+            let topic = scene.name.split_once('/').map_or("", |(topic, _)| topic).to_owned();
+            Entry { name: scene.name, topic, title }
+        };
+        Self { entries: embedded_scenes().into_iter().map(entry).collect() }
+    }
+}
+
+impl SceneMenu {
+    /// Shows the menu's button and, when it is open, the list.
+    pub fn ui(&self, ui: &mut Ui, current: &str) -> Option<Choice> {
+        let mut chosen = None;
+        let button = ui.menu_button(format!("Scene: {current}  ⏷"), |ui| {
+            ui.set_min_width(360.0);
+            ScrollArea::vertical().max_height(520.0).show(ui, |ui| {
+                chosen = self.list(ui, current);
+            });
+        });
+        button.response.on_hover_text("Choose one of the scenes that come with rayscope.");
+        let open = ui.button("Open…").on_hover_text("Open a scene file. You can also drop one on this window.");
+        if open.clicked() {
+            chosen = Some(Choice::OpenFile);
+        }
+        chosen
+    }
+
+    fn list(&self, ui: &mut Ui, current: &str) -> Option<Choice> {
+        let palette = Palette::current(ui.ctx());
+        let mut chosen = None;
+        ui.spacing_mut().item_spacing.y = 2.0;
+        for (i, topic) in self.entries.chunk_by(|a, b| a.topic == b.topic).enumerate() {
+            if i > 0 {
+                ui.add_space(6.0);
+            }
+            ui.label(RichText::new(heading(&topic[0].topic)).size(11.5).color(palette.weak).strong());
+            for entry in topic {
+                let line = ui.selectable_label(entry.name == current, &entry.title).on_hover_text(&entry.name);
+                if line.clicked() {
+                    chosen = Some(Choice::Embedded(entry.name.clone()));
+                    ui.close();
+                }
+            }
+        }
+        chosen
+    }
+}
+
+/// A folder's name as a heading: `csg` is an abbreviation, the others are words.
+fn heading(topic: &str) -> String {
+    if topic == "csg" { "CSG".to_owned() } else { capitalised(&topic.replace('_', " ")) }
+}
+
+fn capitalised(words: &str) -> String {
+    let mut letters = words.chars();
+    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
+}

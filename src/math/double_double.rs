@@ -1,0 +1,275 @@
+//! Numbers of about 32 digits: the unevaluated sum of two `f64`, by error-free transformations.
+//!
+//! Sources: T. J. Dekker, Numerische Mathematik 18 (1971); D. E. Knuth, TAOCP vol. 2, § 4.2.2; M. Joldeş, J.-M. Muller,
+//! V. Popescu, ACM TOMS 44(2), 2017, "Tight and rigorous error bounds for basic building blocks of double-word
+//! arithmetic" (the algorithm numbers below are theirs).
+
+use super::Real;
+use std::cmp::Ordering;
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+/// `high + low`, where `high` is the nearest `f64` to the sum.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DoubleDouble {
+    high: f64,
+    low: f64,
+}
+
+/// ln 2 to 106 bits.
+const LN_2: DoubleDouble = DoubleDouble { high: std::f64::consts::LN_2, low: 2.319_046_813_846_299_6e-17 };
+
+/// The exact sum of two numbers, as the rounded sum and its error (Knuth).
+pub(super) fn two_sum(a: f64, b: f64) -> (f64, f64) {
+    let sum = a + b;
+    let b_in_sum = sum - a;
+    (sum, (a - (sum - b_in_sum)) + (b - b_in_sum))
+}
+
+/// The exact sum where |a| ≥ |b| or a = 0 (Dekker).
+fn fast_two_sum(a: f64, b: f64) -> (f64, f64) {
+    let sum = a + b;
+    (sum, b - (sum - a))
+}
+
+/// The exact product of two numbers, as the rounded product and its error.
+///
+/// Dekker's product, unless the processor multiplies and adds in one rounding: in software that is ten times slower.
+pub(super) fn two_product(a: f64, b: f64) -> (f64, f64) {
+    let product = a * b;
+    if cfg!(target_feature = "fma") {
+        return (product, a.mul_add(b, -product));
+    }
+    let ((a_high, a_low), (b_high, b_low)) = (split(a), split(b));
+    (product, ((a_high * b_high - product) + a_high * b_low + a_low * b_high) + a_low * b_low)
+}
+
+/// Two halves of at most 26 bits each (Veltkamp).
+fn split(a: f64) -> (f64, f64) {
+    const FACTOR: f64 = 134_217_729.0; // 2²⁷ + 1
+    let scaled = FACTOR * a;
+    let high = scaled - (scaled - a);
+    (high, a - high)
+}
+
+impl DoubleDouble {
+    /// `high + low`, in normal form.
+    #[must_use]
+    pub fn new(high: f64, low: f64) -> Self {
+        let (high, low) = two_sum(high, low);
+        Self { high, low }
+    }
+
+    /// The leading `f64` and what is missing from it.
+    #[must_use]
+    pub const fn parts(self) -> (f64, f64) {
+        (self.high, self.low)
+    }
+
+    /// eˣ, for results that neither overflow nor underflow.
+    ///
+    /// x = k ln 2 + 512 r; the Taylor series of eʳ − 1, squared up nine times in the form that keeps its digits.
+    fn exp(self) -> Self {
+        const SQUARINGS: i32 = 9;
+        let multiples = (self.high / LN_2.high).round();
+        let reduced = self - LN_2 * Self::from_f64(multiples);
+        let r = reduced.scaled(2.0_f64.powi(-SQUARINGS));
+        let (mut term, mut sum) = (r, r);
+        for k in 2..=10 {
+            term = term * r / Self::from_f64(f64::from(k));
+            sum = sum + term;
+        }
+        for _ in 0..SQUARINGS {
+            sum = sum + sum + sum * sum;
+        }
+        let result = Self::ONE + sum;
+        // Two steps, for 2ᵏ itself may be subnormal where the result is not.
+        let half = (multiples / 2.0).trunc();
+        result.scaled(half.exp2()).scaled((multiples - half).exp2())
+    }
+
+    /// The natural logarithm of a positive number: one step of Newton's method for exp(y) = x.
+    fn ln(self) -> Self {
+        let start = Self::from_f64(self.high.ln());
+        let next = start + self * (-start).exp() - Self::ONE;
+        // The first step leaves the square of an error of 1e-16; near x = 1 that is relative to a small result.
+        next + self * (-next).exp() - Self::ONE
+    }
+
+    /// Times a power of two, exactly.
+    fn scaled(self, power_of_two: f64) -> Self {
+        Self { high: self.high * power_of_two, low: self.low * power_of_two }
+    }
+}
+
+impl Add for DoubleDouble {
+    type Output = Self;
+
+    /// Algorithm 6, AccurateDWPlusDW: relative error at most 3u².
+    fn add(self, other: Self) -> Self {
+        let (sum, error) = two_sum(self.high, other.high);
+        let (low_sum, low_error) = two_sum(self.low, other.low);
+        let (high, low) = fast_two_sum(sum, error + low_sum);
+        let (high, low) = fast_two_sum(high, low_error + low);
+        Self { high, low }
+    }
+}
+
+impl Neg for DoubleDouble {
+    type Output = Self;
+
+    fn neg(self) -> Self {
+        Self { high: -self.high, low: -self.low }
+    }
+}
+
+impl Sub for DoubleDouble {
+    type Output = Self;
+
+    fn sub(self, other: Self) -> Self {
+        self + -other
+    }
+}
+
+impl Mul for DoubleDouble {
+    type Output = Self;
+
+    /// Algorithm 11, DWTimesDW2: relative error at most 5u².
+    fn mul(self, other: Self) -> Self {
+        let (product, error) = two_product(self.high, other.high);
+        let cross = self.high * other.low + self.low * other.high;
+        let (high, low) = fast_two_sum(product, error + (cross + self.low * other.low));
+        Self { high, low }
+    }
+}
+
+impl Div for DoubleDouble {
+    type Output = Self;
+
+    /// Long division with two corrections. Infinite and undefined quotients are those of `f64`.
+    fn div(self, other: Self) -> Self {
+        let first = self.high / other.high;
+        if !first.is_finite() || !other.high.is_finite() {
+            return Self { high: first, low: 0.0 };
+        }
+        let rest = self - other * Self::from_f64(first);
+        let second = rest.high / other.high;
+        let rest = rest - other * Self::from_f64(second);
+        let (high, low) = fast_two_sum(first, second);
+        Self { high, low } + Self::from_f64(rest.high / other.high)
+    }
+}
+
+impl PartialOrd for DoubleDouble {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        match self.high.partial_cmp(&other.high) {
+            Some(Ordering::Equal) => self.low.partial_cmp(&other.low),
+            order => order,
+        }
+    }
+}
+
+impl Real for DoubleDouble {
+    /// 2⁻¹⁰³: the worst of the operations above, rounded up.
+    const UNIT_ROUNDOFF: f64 = 1.0 / ((1_u128 << 103) as f64);
+    const ZERO: Self = Self { high: 0.0, low: 0.0 };
+    const ONE: Self = Self { high: 1.0, low: 0.0 };
+
+    fn from_f64(x: f64) -> Self {
+        Self { high: x, low: 0.0 }
+    }
+
+    fn to_f64(self) -> f64 {
+        self.high
+    }
+
+    fn widen(self) -> DoubleDouble {
+        self
+    }
+
+    /// Karp's method: the square root in `f64` and one step of Newton's method.
+    fn sqrt(self) -> Self {
+        let root = self.high.sqrt();
+        if root == 0.0 || !root.is_finite() {
+            return Self::from_f64(root);
+        }
+        let (square, error) = two_product(root, root);
+        let rest = self - Self { high: square, low: error };
+        let (high, low) = fast_two_sum(root, rest.high / (2.0 * root));
+        Self { high, low }
+    }
+
+    fn abs(self) -> Self {
+        if self.high < 0.0 { -self } else { self }
+    }
+
+    fn powf(self, exponent: Self) -> Self {
+        let rough = self.high.powf(exponent.high);
+        // At the ends of the range of f64 there is no room for a low part.
+        if self.high <= 0.0 || !(1e-280..1e280).contains(&rough) || !self.high.is_normal() {
+            return Self::from_f64(rough);
+        }
+        (exponent * self.ln()).exp()
+    }
+
+    fn difference_of_products(a: Self, b: Self, c: Self, d: Self) -> Self {
+        a * b - c * d
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn dd(high: f64, low: f64) -> DoubleDouble {
+        DoubleDouble::new(high, low)
+    }
+
+    fn close(a: DoubleDouble, b: DoubleDouble, relative: f64) {
+        let difference = (a - b).to_f64().abs();
+        assert!(difference <= relative * b.to_f64().abs(), "{a:?} and {b:?} differ by {difference:e}");
+    }
+
+    #[test]
+    fn sums_and_products_lose_nothing() {
+        assert_eq!(two_sum(1.0, 2.0_f64.powi(-80)), (1.0, 2.0_f64.powi(-80)));
+        let x = 1.0 + 2.0_f64.powi(-30);
+        assert_eq!(two_product(x, x), (1.0 + 2.0_f64.powi(-29), 2.0_f64.powi(-60)));
+    }
+
+    #[test]
+    fn a_third_times_three_is_one() {
+        let third = DoubleDouble::ONE / DoubleDouble::from_f64(3.0);
+        close(third * DoubleDouble::from_f64(3.0), DoubleDouble::ONE, 1e-31);
+    }
+
+    #[test]
+    fn the_root_of_two_has_thirty_two_digits() {
+        // √2 = 1.4142135623730950488016887242096980785696718753769…
+        let root = DoubleDouble::from_f64(2.0).sqrt();
+        close(root, dd(std::f64::consts::SQRT_2, -9.667_293_313_452_913e-17), 1e-31);
+        close(root * root, DoubleDouble::from_f64(2.0), 1e-31);
+    }
+
+    #[test]
+    fn the_logarithm_of_two_and_the_exponential_of_one_are_right() {
+        close(DoubleDouble::from_f64(2.0).ln(), LN_2, 1e-30);
+        // e = 2.71828182845904523536028747135266249775724709369995…
+        close(DoubleDouble::ONE.exp(), dd(std::f64::consts::E, 1.445_646_891_729_250_2e-16), 1e-30);
+    }
+
+    #[test]
+    fn powers_agree_with_products_and_roots() {
+        let x = dd(1.7, 1e-17);
+        close(x.powf(DoubleDouble::from_f64(3.0)), x * x * x, 1e-29);
+        close(x.powf(DoubleDouble::from_f64(0.5)), x.sqrt(), 1e-30);
+        close(dd(1e-9, 0.0).powf(DoubleDouble::from_f64(0.5)), dd(1e-9, 0.0).sqrt(), 1e-28);
+        assert_eq!(DoubleDouble::ZERO.powf(DoubleDouble::from_f64(0.3)), DoubleDouble::ZERO);
+        assert_eq!(DoubleDouble::ONE.powf(DoubleDouble::from_f64(1e6)), DoubleDouble::ONE);
+    }
+
+    #[test]
+    fn division_by_zero_is_that_of_f64() {
+        assert_eq!((DoubleDouble::ONE / DoubleDouble::ZERO).to_f64(), f64::INFINITY);
+        assert!((DoubleDouble::ZERO / DoubleDouble::ZERO).to_f64().is_nan());
+    }
+}

@@ -1,0 +1,229 @@
+//! A convex polyhedron: the points on the inner side of every one of some planes (§ 6.2.3).
+//!
+//! **Shape**
+//! ```text
+//!         ______
+//!       /   \    \        as many planes as are given,
+//!      /     \____\       numbered from 0
+//!      \     /    /
+//!       \___/____/
+//! ```
+//! **Equation** F = max over the planes of (n·p − d) / |n|.
+//!
+//! **Ray equation** For each plane t = (d − n·S) / n·c, entering where n·c < 0. The ray is inside from the latest entering
+//! to the earliest leaving time.
+//!
+//! **Accuracy** See the header of `planes.rs`. The numerator cancels where the ray starts far away or near the plane, and
+//! the denominator where the ray nearly runs along it: that is the hard case.
+//!
+//! **Degenerate cases** A ray in a face runs inside the closed solid. Rays that touch an edge or a vertex have no hits.
+//! Planes that cut nothing off and planes given twice do no harm. No solid at all, and one without end, are refused.
+//!
+//! **Source** Cyrus and Beck, Computers & Graphics 3 (1978); Haines, Graphics Gems II, "Fast ray–convex polyhedron
+//! intersection".
+
+use super::{Bounds, Crossing, GenericRay, Part, Primitive, outline, planes};
+use crate::math::{DoubleDouble, Real, dot, scale_to_unit};
+use crate::record::Recorder;
+use glam::{DVec2, DVec3};
+
+pub use super::planes::HalfSpace;
+
+/// The points that lie inside all planes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ConvexPolyhedron {
+    planes: Vec<HalfSpace>,
+    edges: Vec<[DVec3; 2]>,
+    bounds: Bounds,
+}
+
+impl ConvexPolyhedron {
+    /// The solid inside these planes.
+    ///
+    /// # Errors
+    /// Says so when a plane is none (zero normal, a number that is not finite), when the solid is unbounded, and when the
+    /// planes leave no point, or none but a flat piece.
+    pub fn new(planes: Vec<HalfSpace>) -> Result<Self, String> {
+        for (k, plane) in planes.iter().enumerate() {
+            if !plane.normal.is_finite() || !plane.offset.is_finite() {
+                return Err(format!("plane {k} holds a number that is not finite"));
+            }
+            if plane.normal == DVec3::ZERO {
+                return Err(format!("plane {k} has the normal (0, 0, 0); a plane needs a direction"));
+            }
+        }
+        if planes.len() < 4 {
+            let given = planes.len();
+            return Err(format!("a convex polyhedron is unbounded with {given} planes; it needs 4 or more"));
+        }
+        if planes.len() > MOST_PLANES {
+            let given = planes.len();
+            return Err(format!("{given} planes were given; a convex polyhedron takes at most {MOST_PLANES}"));
+        }
+        if let Some(direction) = way_out(&planes) {
+            let [x, y, z] = direction.to_array();
+            return Err(format!(
+                "the polyhedron is unbounded: no plane closes it in the direction ({x:.3}, {y:.3}, {z:.3})"
+            ));
+        }
+        let edges = edges(&planes);
+        let bounds = bounds(&edges);
+        let centre = edges.iter().map(|[a, b]| (*a + *b) * 0.5).sum::<DVec3>() / edges.len().max(1) as f64;
+        if edges.is_empty() || planes.iter().any(|plane| !surely_inside(plane, centre)) {
+            return Err("the planes leave no solid: no point lies strictly inside all of them".to_owned());
+        }
+        Ok(Self { planes, edges, bounds })
+    }
+
+    /// The planes.
+    #[must_use]
+    pub fn planes(&self) -> &[HalfSpace] {
+        &self.planes
+    }
+}
+
+/// More planes than this would take seconds to check, for the work grows with the cube of their number.
+const MOST_PLANES: usize = 512;
+
+fn wide(v: DVec3) -> [DoubleDouble; 3] {
+    v.to_array().map(DoubleDouble::from_f64)
+}
+
+fn cross<A: Real>(a: [A; 3], b: [A; 3]) -> [A; 3] {
+    let minor = |i: usize, j: usize| A::difference_of_products(a[i], b[j], a[j], b[i]);
+    [minor(1, 2), minor(2, 0), minor(0, 1)]
+}
+
+/// A direction in which one can go for ever without leaving, if there is one.
+///
+/// The directions v with n·v ≤ 0 for all n form a cone. If it is more than the point 0, then it has an edge along n × n′
+/// for some pair of normals, or it is a whole line or plane, which all pairs of normals that span it find as well.
+fn way_out(planes: &[HalfSpace]) -> Option<DVec3> {
+    let unit: Vec<_> = planes.iter().map(|p| p.normal * scale_to_unit(p.normal.to_array())).collect();
+    let mut spans_a_plane = false;
+    for (i, a) in unit.iter().enumerate() {
+        for b in &unit[..i] {
+            let along = cross(wide(*a), wide(*b));
+            let size = along.iter().map(|x| x.abs().to_f64()).fold(0.0, f64::max);
+            if size < 16.0 * DoubleDouble::UNIT_ROUNDOFF {
+                continue;
+            }
+            spans_a_plane = true;
+            for direction in [along, along.map(|x| -x)] {
+                if unit.iter().all(|normal| !rises(*normal, direction, size)) {
+                    return Some(DVec3::from_array(direction.map(Real::to_f64)).normalize_or_zero());
+                }
+            }
+        }
+    }
+    // All normals on one line: any direction across it.
+    (!spans_a_plane).then(|| outline::across(unit[0]).0)
+}
+
+/// Whether n·v is above zero by more than rounding.
+fn rises(normal: DVec3, direction: [DoubleDouble; 3], size: f64) -> bool {
+    let rough = dot(normal.to_array(), direction.map(Real::to_f64));
+    if rough.abs() > 32.0 * f64::EPSILON * size {
+        return rough > 0.0;
+    }
+    dot(wide(normal), direction).to_f64() > 64.0 * DoubleDouble::UNIT_ROUNDOFF * size
+}
+
+/// Every edge: the piece inside all other planes of the line in which two planes meet.
+fn edges(planes: &[HalfSpace]) -> Vec<[DVec3; 2]> {
+    let mut edges: Vec<[DVec3; 2]> = Vec::new();
+    for i in 0..planes.len() {
+        for j in 0..i {
+            let Some(line) = meeting_line(&planes[i], &planes[j]) else { continue };
+            let others = planes.iter().copied().enumerate().filter(|(k, _)| *k != i && *k != j);
+            let clip = planes::clip(&line, others);
+            let (true, Some(from), Some(to)) = (clip.hits, clip.enter, clip.leave) else { continue };
+            let edge = [from, to].map(|root| line.point(DoubleDouble::from_f64(root.tau)));
+            if !edges.iter().any(|known| same_edge(known, &edge)) {
+                edges.push(edge);
+            }
+        }
+    }
+    edges
+}
+
+/// The line in which two planes meet, from its point nearest to the origin; none where they are parallel.
+fn meeting_line(a: &HalfSpace, b: &HalfSpace) -> Option<GenericRay<DoubleDouble>> {
+    let scaled = |plane: &HalfSpace| {
+        let scale = scale_to_unit(plane.normal.to_array());
+        (wide(plane.normal * scale), DoubleDouble::from_f64(plane.offset * scale))
+    };
+    let ((n, d), (m, e)) = (scaled(a), scaled(b));
+    let direction = cross(n, m);
+    let length_squared = dot(direction, direction);
+    if length_squared.to_f64() < DoubleDouble::UNIT_ROUNDOFF {
+        return None;
+    }
+    let (first, second) = (cross(m, direction), cross(direction, n));
+    let origin = std::array::from_fn(|k| (d * first[k] + e * second[k]) / length_squared);
+    Some(GenericRay { origin, direction, t_per_tau: 1.0 })
+}
+
+/// Whether two edges are one, up to rounding and direction: planes given twice find an edge twice.
+fn same_edge(a: &[DVec3; 2], b: &[DVec3; 2]) -> bool {
+    let near = |p: DVec3, q: DVec3| (p - q).abs().max_element() <= 1e-12 * (1.0 + p.abs().max_element());
+    (near(a[0], b[0]) && near(a[1], b[1])) || (near(a[0], b[1]) && near(a[1], b[0]))
+}
+
+fn bounds(edges: &[[DVec3; 2]]) -> Bounds {
+    let corners = edges.iter().flatten();
+    let empty = Bounds { low: DVec3::INFINITY, high: DVec3::NEG_INFINITY };
+    let tight = corners.fold(empty, |b, p| Bounds { low: b.low.min(*p), high: b.high.max(*p) });
+    // The corners are rounded to the nearest numbers; a step out holds the true ones.
+    let step = tight.low.abs().max(tight.high.abs()) * (2.0 * f64::EPSILON);
+    Bounds { low: tight.low - step, high: tight.high + step }
+}
+
+fn surely_inside(plane: &HalfSpace, point: DVec3) -> bool {
+    let products = plane.normal * point;
+    let doubt = 8.0 * f64::EPSILON * (products.abs().element_sum() + plane.offset.abs());
+    plane.offset - products.element_sum() > doubt
+}
+
+impl Primitive for ConvexPolyhedron {
+    fn crossings<A: Real>(&self, ray: &GenericRay<A>, recorder: &mut impl Recorder, crossings: &mut Vec<Crossing>) {
+        planes::crossings(self, &self.planes, ray, recorder, crossings);
+    }
+
+    fn normal(&self, _point: DVec3, part: Part) -> DVec3 {
+        self.planes.get(usize::from(part)).map_or(DVec3::Z, |plane| plane.normal)
+    }
+
+    /// A frame in the face, so that the box of the solid fits within 0 to 1.
+    fn uv(&self, point: DVec3, part: Part) -> DVec2 {
+        let (right, up) = outline::across(self.normal(point, part));
+        let size = (self.bounds.high - self.bounds.low).length();
+        let from_centre = point - (self.bounds.low + self.bounds.high) * 0.5;
+        (DVec2::new(right.dot(from_centre), up.dot(from_centre)) / size + 0.5).clamp(DVec2::ZERO, DVec2::ONE)
+    }
+
+    fn bounds(&self) -> Bounds {
+        self.bounds
+    }
+
+    fn outline(&self) -> Vec<Vec<DVec3>> {
+        self.edges.iter().map(|edge| edge.to_vec()).collect()
+    }
+
+    fn implicit(&self, point: DVec3) -> f64 {
+        let distance = |plane: &HalfSpace| {
+            let scale = scale_to_unit(plane.normal.to_array());
+            let normal = plane.normal * scale;
+            (normal.dot(point) - plane.offset * scale) / normal.length()
+        };
+        self.planes.iter().map(distance).fold(f64::NEG_INFINITY, f64::max)
+    }
+
+    fn equation(&self) -> String {
+        "max over the planes of (n·p − d) / |n|".to_owned()
+    }
+
+    fn parts(&self) -> Vec<String> {
+        (0..self.planes.len()).map(|k| format!("plane {k}")).collect()
+    }
+}

@@ -1,0 +1,84 @@
+//! Cylinder and cone: the tapered cylinder with s = 1 and with s = 0.
+//!
+//! **Shape**
+//! ```text
+//!    z = 1   +-----+        z = 1      ^
+//!            |     |                  / \
+//!            |     |                 /   \
+//!    z = 0   +-----+        z = 0   +-----+
+//!            cylinder                cone
+//! ```
+//! **Equation** F of the wall is x² + y² − 1, or x² + y² − (1 − z)²; see `tapered_cylinder.rs` for this and for everything
+//! else: **Ray equation**, **Accuracy**, **Degenerate cases**, **Source**. Both are that solid, under names of their own.
+
+use super::{Bounds, Crossing, GenericRay, Part, Primitive, TaperedCylinder};
+use crate::math::Real;
+use crate::record::Recorder;
+use glam::{DVec2, DVec3};
+
+macro_rules! tapered {
+    ($(#[$about:meta])* $name:ident, $s:literal) => {
+        $(#[$about])*
+        #[derive(Clone, Copy, Debug, PartialEq)]
+        pub struct $name(TaperedCylinder);
+
+        impl $name {
+            /// The generic one.
+            ///
+            /// # Errors
+            /// None: it has no parameters.
+            pub fn new() -> Result<Self, String> {
+                TaperedCylinder::new($s).map(Self)
+            }
+        }
+
+        impl Primitive for $name {
+            fn crossings<A: Real>(
+                &self,
+                ray: &GenericRay<A>,
+                recorder: &mut impl Recorder,
+                crossings: &mut Vec<Crossing>,
+            ) {
+                self.0.crossings(ray, recorder, crossings);
+            }
+
+            fn normal(&self, point: DVec3, part: Part) -> DVec3 {
+                self.0.normal(point, part)
+            }
+
+            fn uv(&self, point: DVec3, part: Part) -> DVec2 {
+                self.0.uv(point, part)
+            }
+
+            fn bounds(&self) -> Bounds {
+                self.0.bounds()
+            }
+
+            fn outline(&self) -> Vec<Vec<DVec3>> {
+                self.0.outline()
+            }
+
+            fn implicit(&self, point: DVec3) -> f64 {
+                self.0.implicit(point)
+            }
+
+            fn equation(&self) -> String {
+                self.0.equation()
+            }
+
+            fn parts(&self) -> Vec<String> {
+                self.0.parts()
+            }
+        }
+    };
+}
+
+tapered! {
+    /// Radius 1 from z = 0 to z = 1, closed by discs.
+    Cylinder, 1.0
+}
+
+tapered! {
+    /// Radius 1 at z = 0, the apex at z = 1, closed by a disc.
+    Cone, 0.0
+}

@@ -1,0 +1,94 @@
+//! The plane z = 0 as the surface of a solid half-space.
+//!
+//! **Shape** (from the side)
+//! ```text
+//!        z ↑
+//!          |        outside
+//!   -------+------- plane, z = 0
+//!   ///////////////
+//!   //// inside ///   without end
+//! ```
+//! **Equation** F = z: positive above, negative below.
+//!
+//! **Ray equation** S_z + c_z t = 0, so t = −S_z / c_z. A ray that comes from above enters (c_z < 0).
+//!
+//! **Accuracy** One rounded division: half an ulp of t.
+//!
+//! **Degenerate cases** c_z = 0: the ray never crosses, and lies inside as a whole where S_z ≤ 0. A t too large for a
+//! number counts as never.
+//!
+//! **Source** Hill, Computer Graphics Using OpenGL, ray tracing, the generic plane.
+
+use super::{Bounds, Crossing, GenericRay, Part, Primitive, boundary, boundary::Root, planes, report};
+use crate::math::Real;
+use crate::record::{Recorder, Sense};
+use glam::{DVec2, DVec3};
+
+/// The half-space z ≤ 0.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Plane;
+
+impl Plane {
+    /// The generic plane.
+    ///
+    /// # Errors
+    /// None: it has no parameters.
+    pub const fn new() -> Result<Self, String> {
+        Ok(Self)
+    }
+}
+
+impl Primitive for Plane {
+    fn crossings<A: Real>(&self, ray: &GenericRay<A>, recorder: &mut impl Recorder, crossings: &mut Vec<Crossing>) {
+        let begin = crossings.len();
+        let tau = (-ray.origin[2] / ray.direction[2]).to_f64();
+        let crosses = ray.direction[2] != A::ZERO && (tau * ray.t_per_tau).is_finite();
+        if crosses {
+            let sense = if ray.direction[2] > A::ZERO { Sense::Leave } else { Sense::Enter };
+            crossings.push(boundary::crossing(self, ray, Root { tau, part: 0 }, sense));
+        }
+        let found = &crossings[begin..];
+        recorder.note(|| planes::single_row(ray, "surface"));
+        recorder.note(|| report::implicit(self, ray, found));
+        recorder.note(|| report::roots(self, ray, found, Vec::new()));
+    }
+
+    fn normal(&self, _point: DVec3, _part: Part) -> DVec3 {
+        DVec3::Z
+    }
+
+    /// x and y, repeating every unit.
+    fn uv(&self, point: DVec3, _part: Part) -> DVec2 {
+        DVec2::new(point.x.rem_euclid(1.0), point.y.rem_euclid(1.0))
+    }
+
+    fn bounds(&self) -> Bounds {
+        Bounds { low: DVec3::NEG_INFINITY, high: DVec3::new(f64::INFINITY, f64::INFINITY, 0.0) }
+    }
+
+    /// A patch of the grid of whole numbers about the origin.
+    fn outline(&self) -> Vec<Vec<DVec3>> {
+        const HALF: f64 = 4.0;
+        (-4..=4)
+            .map(f64::from)
+            .flat_map(|k| {
+                [
+                    vec![DVec3::new(k, -HALF, 0.0), DVec3::new(k, HALF, 0.0)],
+                    vec![DVec3::new(-HALF, k, 0.0), DVec3::new(HALF, k, 0.0)],
+                ]
+            })
+            .collect()
+    }
+
+    fn implicit(&self, point: DVec3) -> f64 {
+        point.z
+    }
+
+    fn equation(&self) -> String {
+        "z".to_owned()
+    }
+
+    fn parts(&self) -> Vec<String> {
+        vec!["surface".to_owned()]
+    }
+}

@@ -1,0 +1,387 @@
+//! The search for every crossing of a superellipsoid, with bounds instead of samples.
+//!
+//! The ray is cut at the sides of the box [−1, 1]³ and at the coordinate planes. On each stretch |x|, |y| and |z| are
+//! linear, and the gauge g is smooth. The signs of g − 1 at the ends of a stretch are certain. A stretch is done when
+//! bounds show that g − 1 is never 0, or that g only rises or only falls, so that the signs tell. Else it is halved.
+//! That ends quickly, for the bounds close in with the square of the length; a touch, where they never do, is halved down to
+//! neighbouring numbers and counted as undecided.
+//!
+//! The bounds: g rises with each of |x|, |y|, |z|. For n ≥ 1 the norm (|x|ⁿ + |y|ⁿ)^(1/n) is convex along a line within an
+//! octant, for n ≤ 1 concave (Minkowski's inequality and its reverse), so its slope lies between those at the ends. The same
+//! holds of g where n and m lie on one side of 1.
+
+use super::GenericRay;
+use crate::math::{DoubleDouble, Range, Real, root_between};
+
+/// n and m.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Exponents {
+    /// The exponent of x and y.
+    pub n: f64,
+    /// The exponent of z.
+    pub m: f64,
+}
+
+/// (uᵖ + vᵖ)^(1/p) for u, v ≥ 0, with its partial derivatives.
+///
+/// The larger one is taken out, so that nothing overflows. The derivatives at (0, 0) are undefined.
+fn norm<A: Real>(p: f64, u: A, v: A) -> (A, [A; 2]) {
+    let (most, least) = (u.max(v), u.min(v));
+    let ratio = least / most;
+    let power = ratio.powf(A::from_f64(p));
+    let sum = A::ONE + power;
+    let factor = sum.powf(A::from_f64(1.0) / A::from_f64(p));
+    let value = if most > A::ZERO { most * factor } else { A::ZERO };
+    let along_most = factor / sum;
+    // (least / value)^(p − 1); at least = 0 the limit.
+    let along_least = if ratio > A::ZERO {
+        along_most * power / ratio
+    } else if p < 1.0 {
+        A::from_f64(f64::INFINITY)
+    } else if p > 1.0 {
+        A::ZERO
+    } else {
+        along_most
+    };
+    (value, if u >= v { [along_most, along_least] } else { [along_least, along_most] })
+}
+
+impl Exponents {
+    /// g at a point with no negative coordinate, and its gradient.
+    pub fn gauge<A: Real>(&self, [x, y, z]: [A; 3]) -> (A, [A; 3]) {
+        let (radius, along) = norm(self.n, x, y);
+        let (value, [along_radius, along_z]) = norm(self.m, radius, z);
+        (value, [product(along_radius, along[0]), product(along_radius, along[1]), along_z])
+    }
+
+    /// Bound on the relative error of g: five roundings, magnified by the roots.
+    fn rounding<A: Real>(&self) -> f64 {
+        16.0 * A::UNIT_ROUNDOFF * (2.0 + 1.0 / self.n + 1.0 / self.m)
+    }
+
+    /// Whether g is convex or concave on a whole stretch.
+    fn bends_one_way(&self) -> bool {
+        (self.n >= 1.0 && self.m >= 1.0) || (self.n <= 1.0 && self.m <= 1.0)
+    }
+}
+
+/// Zero times infinity is zero: a direction that does not change a coordinate is not moved by it.
+fn product<A: Real>(a: A, b: A) -> A {
+    if a == A::ZERO || b == A::ZERO { A::ZERO } else { a * b }
+}
+
+/// What the search came to, in τ.
+pub(super) struct Findings {
+    /// Where it began and ended; none where the ray misses the box.
+    pub range: Option<[f64; 2]>,
+    /// Stretches that were bounded.
+    pub stretches: usize,
+    /// Stretches that were halved to the end.
+    pub undecided: usize,
+    /// The crossings, ascending.
+    pub roots: Vec<f64>,
+}
+
+/// The ray in one coordinate: zero at `zero` where it moves, `resting` where it does not.
+#[derive(Clone, Copy)]
+struct Axis<A> {
+    speed: A,
+    zero: A,
+    resting: A,
+}
+
+impl<A: Real> Axis<A> {
+    /// By its distance from the zero, which keeps the digits of small values.
+    fn at(&self, delta: A) -> A {
+        if self.zero.is_finite() { self.speed * (delta - self.zero) } else { self.resting }
+    }
+}
+
+/// The ray about the foot of the perpendicular.
+struct Line<A> {
+    foot: A,
+    axes: [Axis<A>; 3],
+}
+
+impl<A: Real> Line<A> {
+    fn new(ray: &GenericRay<A>) -> Self {
+        let foot = ray.foot();
+        let nearest = ray.at(foot);
+        let axes = std::array::from_fn(|i| {
+            let speed = ray.direction[i];
+            Axis { speed, zero: -nearest[i] / speed, resting: nearest[i] }
+        });
+        Self { foot, axes }
+    }
+
+    fn at(&self, delta: A) -> [A; 3] {
+        self.axes.map(|axis| axis.at(delta))
+    }
+
+    fn to_f64(&self) -> Line<f64> {
+        let axes = self.axes.map(|axis| Axis {
+            speed: axis.speed.to_f64(),
+            zero: axis.zero.to_f64(),
+            resting: axis.resting.to_f64(),
+        });
+        Line { foot: self.foot.to_f64(), axes }
+    }
+
+    /// The times in the box [−1, 1]³, a little widened so that nothing on its sides is lost.
+    fn in_box(&self) -> Option<[A; 2]> {
+        let (mut enter, mut leave) = (A::from_f64(f64::NEG_INFINITY), A::from_f64(f64::INFINITY));
+        let slack = A::from_f64(1.0 + 64.0 * A::UNIT_ROUNDOFF);
+        for axis in &self.axes {
+            if !axis.zero.is_finite() {
+                if axis.resting.abs() > slack {
+                    return None;
+                }
+                continue;
+            }
+            let half = (slack / axis.speed).abs();
+            enter = enter.max(axis.zero - half);
+            leave = leave.min(axis.zero + half);
+        }
+        (enter < leave).then_some([enter, leave])
+    }
+}
+
+/// g on one place of the ray.
+#[derive(Clone, Copy)]
+struct Probe {
+    delta: f64,
+    /// |x|, |y|, |z|.
+    place: [f64; 3],
+    /// (|x|ⁿ + |y|ⁿ)^(1/n).
+    radius: f64,
+    value: f64,
+}
+
+/// Slopes along a stretch, seen from one of its ends.
+#[derive(Clone, Copy)]
+struct Slopes {
+    radius: f64,
+    value: f64,
+}
+
+/// A stretch of the ray with its ends.
+#[derive(Clone, Copy)]
+struct Stretch {
+    from: Probe,
+    to: Probe,
+    sign_at_end: i8,
+}
+
+/// Stretches that are bounded at most; ten times what the worst ray was seen to need. Fewer would leave touches of sharp
+/// shapes undecided, more would only cost time there.
+const MOST_STRETCHES: usize = 4000;
+
+struct Search<'a, A> {
+    exponents: Exponents,
+    line: Line<A>,
+    plain: Line<f64>,
+    ray: &'a GenericRay<A>,
+    findings: Findings,
+    /// The last place with a certain sign.
+    last: (f64, i8),
+}
+
+/// Every crossing of the ray with the superellipsoid.
+pub(super) fn search<A: Real>(exponents: Exponents, ray: &GenericRay<A>) -> Findings {
+    let line = Line::new(ray);
+    let plain = line.to_f64();
+    let findings = Findings { range: None, stretches: 0, undecided: 0, roots: Vec::new() };
+    let Some([from, to]) = line.in_box().map(|ends| ends.map(Real::to_f64)) else { return findings };
+    let mut search = Search { exponents, line, plain, ray, findings, last: (from, 1) };
+    search.findings.range = Some([from, to].map(|delta| delta + search.plain.foot));
+    let mut cuts: Vec<(f64, Option<usize>)> = (0..3)
+        .map(|i| (search.plain.axes[i].zero, Some(i)))
+        .filter(|(delta, _)| from < *delta && *delta < to)
+        .chain([(from, None), (to, None)])
+        .collect();
+    cuts.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let mut start = search.probe(from, None);
+    for &(delta, axis) in &cuts[1..] {
+        let end = search.probe(delta, axis);
+        // Beyond the box everything is outside.
+        let sign_at_end = if delta == to { 1 } else { search.sign(&end, axis) };
+        search.work_through(Stretch { from: start, to: end, sign_at_end });
+        start = end;
+    }
+    search.findings
+}
+
+impl<A: Real> Search<'_, A> {
+    fn probe(&self, delta: f64, zero_axis: Option<usize>) -> Probe {
+        let mut place = self.plain.at(delta).map(f64::abs);
+        if let Some(axis) = zero_axis {
+            place[axis] = 0.0;
+        }
+        let [x, y, z] = place;
+        let radius = norm(self.exponents.n, x, y).0;
+        Probe { delta, place, radius, value: norm(self.exponents.m, radius, z).0 }
+    }
+
+    /// The sign of g − 1: with 32 digits where 16 do not tell, and 0 where these do not either.
+    fn sign(&self, probe: &Probe, zero_axis: Option<usize>) -> i8 {
+        let excess = probe.value - 1.0;
+        if excess.abs() > self.exponents.rounding::<f64>() {
+            return if excess > 0.0 { 1 } else { -1 };
+        }
+        let wide = Line::new(&self.ray.widen());
+        let mut place = wide.at(DoubleDouble::from_f64(probe.delta)).map(Real::abs);
+        if let Some(axis) = zero_axis {
+            place[axis] = DoubleDouble::ZERO;
+        }
+        let (value, _) = self.exponents.gauge(place);
+        let excess = (value - DoubleDouble::ONE).to_f64();
+        if excess.abs() <= 1e4 * self.exponents.rounding::<DoubleDouble>() {
+            0
+        } else if excess > 0.0 {
+            1
+        } else {
+            -1
+        }
+    }
+
+    /// Bounds a stretch, and halves it until all is decided; from left to right.
+    fn work_through(&mut self, whole: Stretch) {
+        // What |x|, |y| and |z| do as δ grows, all along the stretch.
+        let middle = self.plain.at(0.5 * (whole.from.delta + whole.to.delta));
+        let motion: [f64; 3] = std::array::from_fn(|i| self.plain.axes[i].speed * middle[i].signum());
+        let mut waiting = vec![whole];
+        while let Some(stretch) = waiting.pop() {
+            self.findings.stretches += 1;
+            if self.decided(&stretch, motion) {
+                self.arrive(stretch.to.delta, stretch.sign_at_end);
+                continue;
+            }
+            let middle = 0.5 * (stretch.from.delta + stretch.to.delta);
+            let neighbours = middle <= stretch.from.delta || middle >= stretch.to.delta;
+            if neighbours || self.findings.stretches >= MOST_STRETCHES {
+                self.findings.undecided += 1;
+                self.arrive(stretch.to.delta, stretch.sign_at_end);
+                continue;
+            }
+            let middle = self.probe(middle, None);
+            let sign = self.sign(&middle, None);
+            waiting.push(Stretch { from: middle, ..stretch });
+            waiting.push(Stretch { to: middle, sign_at_end: sign, ..stretch });
+        }
+    }
+
+    /// Whether the signs at the ends of the stretch say how often g − 1 changes its sign within: once or never.
+    fn decided(&self, stretch: &Stretch, motion: [f64; 3]) -> bool {
+        let widening = self.exponents.rounding::<f64>();
+        let (from, to) = (&stretch.from, &stretch.to);
+        let (start, end) = (self.slopes(from, motion), self.slopes(to, motion));
+        let radius_slope = Range::between(start.radius, end.radius).widened(4.0 * widening);
+        let z = Range::between(from.place[2], to.place[2]);
+        let radius = self.radii(stretch, radius_slope);
+        let slope = if self.exponents.bends_one_way() {
+            Range::between(start.value, end.value).widened(4.0 * widening)
+        } else {
+            self.slope_bound(radius, z, radius_slope, motion[2])
+        };
+        if slope.keeps_sign() {
+            return true;
+        }
+        let value = Range {
+            low: norm(self.exponents.m, radius.low.max(0.0), z.low).0,
+            high: norm(self.exponents.m, radius.high.max(0.0), z.high).0,
+        }
+        .widened(widening);
+        if value.low > 1.0 || value.high < 1.0 {
+            return true;
+        }
+        // From either end g changes by no more than the slopes allow.
+        let length = to.delta - from.delta;
+        let forward = Range { low: 0.0, high: length };
+        let ahead = Range::between(from.value, from.value).widened(widening) + slope * forward;
+        let back = Range::between(to.value, to.value).widened(widening)
+            + Range { low: -slope.high, high: -slope.low } * forward;
+        let lowest = lowest_of_two_lines(ahead.low.max(back.low), [from.value, to.value], slope, length);
+        lowest > 1.0 + 4.0 * widening || ahead.high.min(back.high) < 1.0
+    }
+
+    /// Bounds of the radius over the stretch.
+    fn radii(&self, stretch: &Stretch, slope: Range) -> Range {
+        let (from, to) = (&stretch.from, &stretch.to);
+        let ends = Range::between(from.radius, to.radius);
+        let (a, b) = (from.place, to.place);
+        let inner = norm(self.exponents.n, a[0].min(b[0]), a[1].min(b[1])).0;
+        let outer = norm(self.exponents.n, a[0].max(b[0]), a[1].max(b[1])).0;
+        let bounds = if slope.keeps_sign() {
+            ends
+        } else if self.exponents.n >= 1.0 {
+            Range { low: inner, high: ends.high }
+        } else {
+            Range { low: ends.low, high: outer }
+        };
+        bounds.widened(self.exponents.rounding::<f64>())
+    }
+
+    /// The slopes of the radius and of g at one end, as δ grows within the stretch.
+    fn slopes(&self, probe: &Probe, motion: [f64; 3]) -> Slopes {
+        let [x, y, z] = probe.place;
+        // At a zero of both arguments the limit along the ray: derivatives depend on the direction alone.
+        let [dx, dy, dz] = motion.map(f64::abs);
+        let (u, v) = if x == 0.0 && y == 0.0 { (dx, dy) } else { (x, y) };
+        let (radius_of, [along_x, along_y]) = norm(self.exponents.n, u, v);
+        let radius = if u == 0.0 && v == 0.0 { 0.0 } else { product(along_x, motion[0]) + product(along_y, motion[1]) };
+        let (p, q) = if probe.radius == 0.0 && z == 0.0 { (radius_of, dz) } else { (probe.radius, z) };
+        let (_, [along_radius, along_z]) = norm(self.exponents.m, p, q);
+        Slopes { radius, value: product(along_radius, radius) + product(along_z, motion[2]) }
+    }
+
+    /// Bounds of the slope of g over a stretch, where exponents on both sides of 1 mix.
+    fn slope_bound(&self, radius: Range, z: Range, radius_slope: Range, z_motion: f64) -> Range {
+        let m = self.exponents.m;
+        let widening = 8.0 * self.exponents.rounding::<f64>();
+        // The partial derivatives depend on z / radius alone, and each runs one way with it.
+        let flat = norm(m, radius.high, z.low.max(0.0)).1;
+        let steep = norm(m, radius.low.max(0.0), z.high).1;
+        let along_radius = Range::between(flat[0], steep[0]).widened(widening);
+        let along_z = Range::between(flat[1], steep[1]).widened(widening);
+        along_radius * radius_slope + along_z * Range::between(z_motion, z_motion)
+    }
+
+    /// Notes the sign at a place; where it changed, there is a crossing behind.
+    fn arrive(&mut self, delta: f64, sign: i8) {
+        if sign == 0 {
+            return;
+        }
+        let (before, sign_before) = self.last;
+        if sign != sign_before {
+            let root = self.crossing(before, delta, sign_before < 0);
+            self.findings.roots.push(root);
+        }
+        self.last = (delta, sign);
+    }
+
+    /// The crossing between two places, in the ray's own arithmetic.
+    fn crossing(&self, low: f64, high: f64, rising: bool) -> f64 {
+        let root = root_between(A::from_f64(low), A::from_f64(high), rising, |delta| {
+            let place = self.line.at(delta);
+            let (value, gradient) = self.exponents.gauge(place.map(Real::abs));
+            let slope = (0..3).fold(A::ZERO, |sum, i| {
+                let speed = if place[i] < A::ZERO { -self.line.axes[i].speed } else { self.line.axes[i].speed };
+                sum + product(gradient[i], speed)
+            });
+            (value - A::ONE, slope)
+        });
+        (self.line.foot + root).to_f64()
+    }
+}
+
+/// A lower bound of a function between two places, given its values there and the range of its slope: where the line that
+/// falls from the first as steeply as allowed meets the one that rises to the second.
+fn lowest_of_two_lines(fallback: f64, [first, second]: [f64; 2], slope: Range, length: f64) -> f64 {
+    let (fall, rise) = (slope.low, slope.high);
+    if !(fall < 0.0 && rise > 0.0 && fall.is_finite() && rise.is_finite()) {
+        return fallback;
+    }
+    // first + fall x = second − rise (length − x)
+    let x = (first - second + rise * length) / (rise - fall);
+    (first + fall * x.clamp(0.0, length)).min(second - rise * (length - x.clamp(0.0, length))).max(fallback)
+}
