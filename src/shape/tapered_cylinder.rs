@@ -89,6 +89,12 @@ impl TaperedCylinder {
         Err(format!("s is {s}; the cap's radius needs to be 0 or more"))
     }
 
+    /// The radius at height z.
+    #[must_use]
+    pub fn radius(&self, z: f64) -> f64 {
+        1.0 + self.slope() * z
+    }
+
     fn slope(&self) -> f64 {
         self.s - 1.0
     }
@@ -182,15 +188,18 @@ fn within_wall<A: Real>(
     roots: Option<[A; 2]>,
     [mut enter, mut leave]: [End<A>; 2],
 ) -> Option<Option<[Root; 2]>> {
-    let steep = wall.quadratic.a < A::ZERO && !wall.parallel;
-    if wall.touches && (wall.parallel || !steep) {
-        return Some(None);
+    let root = |end: End<A>| Root { tau: end.tau.to_f64(), part: end.part };
+    if wall.touches && wall.parallel {
+        // F is the same all along the ray: it runs inside the wall, or in it, or outside.
+        let inside = wall.quadratic.c.to_f64() < -wall.doubt;
+        return Some(inside.then(|| [root(enter), root(leave)]));
     }
-    let Some(roots) = roots else {
+    let steep = wall.quadratic.a < A::ZERO;
+    let Some(roots) = roots.filter(|_| steep || !wall.touches) else {
         return Some(None);
     };
     let [first, second] = roots.map(|delta| wall_end(wall, foot, delta));
-    if wall.quadratic.a < A::ZERO {
+    if steep {
         // The nappe with w > 0 lies ahead where w grows along the ray, and behind where it shrinks.
         if slope * ray.direction[2].to_f64() > 0.0 {
             enter = later(enter, second);
@@ -205,7 +214,6 @@ fn within_wall<A: Real>(
     if doubtful && !A::FINEST {
         return None;
     }
-    let root = |end: End<A>| Root { tau: end.tau.to_f64(), part: end.part };
     Some((!doubtful && enter.tau < leave.tau).then(|| [root(enter), root(leave)]))
 }
 
@@ -278,7 +286,7 @@ impl Primitive for TaperedCylinder {
     }
 
     fn implicit(&self, point: DVec3) -> f64 {
-        let radius = 1.0 + self.slope() * point.z;
+        let radius = self.radius(point.z);
         (point.truncate().length_squared() - radius * radius).max(-point.z).max(point.z - 1.0)
     }
 
@@ -324,7 +332,7 @@ impl TaperedCylinder {
             ("c_x", number(c_x)),
             ("c_y", number(c_y)),
             ("c_z", number(c_z)),
-            ("w", number(1.0 + self.slope() * z)),
+            ("w", number(self.radius(z))),
             ("d", number(self.slope() * c_z)),
             ("A", number(a)),
             ("B", number(b)),
@@ -336,7 +344,7 @@ impl TaperedCylinder {
             Entry::new(What::Quadratic { about, a, b, c, discriminant, recentred_at: foot, roots: roots.clone() })
                 .line("t₀", "−S·c / c·c", &bindings, foot)
                 .line("l", "S + c t₀", &bindings, solution.nearest)
-                .line("w", "1 + (s − 1) l_z", &bindings, 1.0 + self.slope() * z)
+                .line("w", "1 + (s − 1) l_z", &bindings, self.radius(z))
                 .line("d", "(s − 1) c_z", &bindings, self.slope() * c_z)
                 .line("A", "c_x² + c_y² − d²", &bindings, a)
                 .line("B", "l_x c_x + l_y c_y − w d", &bindings, b)

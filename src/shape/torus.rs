@@ -130,20 +130,7 @@ impl Torus {
         }
         let end = (room / terms.a).sqrt();
         let nodes = self.nodes(&quartic, &terms, end)?;
-        let roots = self.roots(ray, &quartic, l, &nodes);
-        // Between two roots with G > 0 lies the outside, or the overlap.
-        let mut k = 0;
-        while k < roots.len() {
-            let (root, peak) = roots[k];
-            let overlap = k % 2 == 1 && k + 1 < roots.len() && self.in_overlap(ray, l, peak);
-            if overlap {
-                solution.hidden.extend([(foot + root).to_f64(), (foot + roots[k + 1].0).to_f64()]);
-                k += 2;
-            } else {
-                solution.boundaries.push((foot + root).to_f64());
-                k += 1;
-            }
-        }
+        self.sort_roots(ray, &quartic, (foot, l), &nodes, &mut solution);
         Some(solution)
     }
 
@@ -190,19 +177,34 @@ impl Torus {
         Some(nodes)
     }
 
-    /// The roots of G, each with the next place where G is positive.
-    fn roots<A: Real>(&self, ray: &GenericRay<A>, quartic: &Quartic<A>, l: [A; 3], nodes: &[Node<A>]) -> Vec<(A, A)> {
-        let mut roots: Vec<(A, A)> = Vec::new();
+    /// Finds the roots of G between the nodes and tells boundaries from roots within the overlap of a spindle.
+    fn sort_roots<A: Real>(
+        &self,
+        ray: &GenericRay<A>,
+        quartic: &Quartic<A>,
+        (foot, l): (A, [A; 3]),
+        nodes: &[Node<A>],
+        solution: &mut Solution,
+    ) {
         let mut last = nodes[0];
-        for node in nodes.iter().filter(|node| node.sign != 0) {
+        let mut touched = None;
+        for node in &nodes[1..] {
+            if node.sign == 0 {
+                touched = Some(node.delta);
+                continue;
+            }
+            let inside = |node: &Node<A>| node.sign < 0 || self.in_overlap(ray, l, node.delta);
+            let crosses = inside(&last) != inside(node);
             if node.sign != last.sign {
                 let rough = quartic.root_between(last.delta, node.delta, last.sign < 0);
-                let root = self.polish(ray, l, rough, last.delta, node.delta);
-                roots.push((root, node.delta));
+                let root = (foot + self.polish(ray, l, rough, last.delta, node.delta)).to_f64();
+                if crosses { &mut solution.boundaries } else { &mut solution.hidden }.push(root);
+            } else if let Some(delta) = touched.filter(|_| crosses) {
+                // Through the tip of a spindle, from the outside right into the overlap: a double root of G.
+                solution.boundaries.push((foot + delta).to_f64());
             }
-            last = *node;
+            (last, touched) = (*node, None);
         }
-        roots
     }
 
     /// Two steps of Newton's method on F, not beyond `low` and `high`.
