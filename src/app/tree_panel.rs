@@ -34,14 +34,16 @@ pub fn ui(ui: &mut Ui, recording: Option<&mut Recording>) {
     let focus = ui.scope_id().with("outline keys");
     let output = area.show_rows(ui, ROW, recording.outline.rows().len(), |ui, range| {
         let ids = recording.outline.rows()[range].to_vec();
-        for id in ids {
-            show_row(ui, recording, id, focus);
-        }
+        ids.into_iter().fold(false, |clicked, id| show_row(ui, recording, id) || clicked)
     });
     ui.ctx().data_mut(|data| data.insert_temp(focus, [output.state.clamped_offset().y, output.inner_rect.height()]));
     // The outline as a whole takes the focus, so that it does not get lost when the focused row scrolls away.
     let whole = ui.interact(output.inner_rect, focus, Sense::focusable_noninteractive());
     whole.widget_info(|| WidgetInfo::labeled(Role::Tree, true, "The ray's story"));
+    if output.inner {
+        // Only now: a click beside the outline itself, as one on a row is, takes its focus away.
+        whole.request_focus();
+    }
     if whole.has_focus() {
         let palette = Palette::current(ui.ctx());
         let edge = Stroke::new(1.0, palette.accent);
@@ -62,7 +64,8 @@ fn offset_of_selection(ui: &Ui, recording: &mut Recording) -> Option<f32> {
     (!in_sight).then(|| (top - height / 3.0).max(0.0))
 }
 
-fn show_row(ui: &mut Ui, recording: &mut Recording, id: EventId, focus: egui::Id) {
+/// Shows a row; returns whether it was clicked.
+fn show_row(ui: &mut Ui, recording: &mut Recording, id: EventId) -> bool {
     let tree = Arc::clone(&recording.tree);
     let row = row(tree.event(id));
     let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width(), ROW), Sense::hover());
@@ -78,7 +81,6 @@ fn show_row(ui: &mut Ui, recording: &mut Recording, id: EventId, focus: egui::Id
 
     let response = if elided { response.on_hover_text(full_text(&row)) } else { response };
     if response.clicked() {
-        ui.memory_mut(|memory| memory.request_focus(focus));
         let on_triangle = response.interact_pointer_pos().is_some_and(|at| at.x < triangle.right());
         match open {
             Some(open) if on_triangle => recording.set_open(id, !open),
@@ -88,14 +90,16 @@ fn show_row(ui: &mut Ui, recording: &mut Recording, id: EventId, focus: egui::Id
     if let (true, Some(open)) = (response.double_clicked(), open) {
         recording.set_open(id, !open);
     }
+    response.clicked()
 }
 
 /// Tells screen readers and tests what the row says.
 fn name_row(ui: &Ui, response: &Response, row: &Row, selected: bool, open: Option<bool>, depth: u16) {
     let text = full_text(row);
-    response.widget_info(|| WidgetInfo::selected(Role::TreeItem, true, selected, &text));
+    response.widget_info(|| WidgetInfo::labeled(Role::TreeItem, true, &text));
     ui.ctx().accesskit_node_builder(response.id, |node| {
         node.set_level(usize::from(depth) + 1);
+        node.set_selected(selected);
         if let Some(open) = open {
             node.set_expanded(open);
         }
