@@ -108,9 +108,9 @@ fn theme_menu(ui: &mut Ui) {
         ThemePreference::Dark => "Theme: dark",
     };
     ui.menu_button(name, |ui| {
-        ui.radio_value(&mut preference, ThemePreference::System, "As the system");
-        ui.radio_value(&mut preference, ThemePreference::Light, "Light");
-        ui.radio_value(&mut preference, ThemePreference::Dark, "Dark");
+        ui.selectable_value(&mut preference, ThemePreference::System, "As the system");
+        ui.selectable_value(&mut preference, ThemePreference::Light, "Light");
+        ui.selectable_value(&mut preference, ThemePreference::Dark, "Dark");
     });
     if preference != before {
         ui.ctx().set_theme(preference);

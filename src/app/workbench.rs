@@ -63,7 +63,7 @@ pub struct Shares {
 
 impl Default for Shares {
     fn default() -> Self {
-        Self { left: 0.35, outline: 0.52, picture: 0.5, detail: 0.54 }
+        Self { left: 0.35, outline: 0.52, picture: 0.5, detail: 0.48 }
     }
 }
 
@@ -224,7 +224,11 @@ impl Workbench {
         self.side_panel(ui, side);
         self.outline_panel(ui, middle);
         panel(ui, detail, "Selected event", |_| {}, |ui| detail_panel::ui(ui, self.recording.as_ref()));
-        panel(ui, plots, "Along the ray", |_| {}, |ui| self.plots.ui(ui, self.recording.as_ref()));
+        let mut clicked = None;
+        panel(ui, plots, "Along the ray", |_| {}, |ui| clicked = self.plots.ui(ui, self.recording.as_ref()));
+        if let Some(event) = clicked {
+            self.select(event);
+        }
     }
 
     fn picture_panel(&mut self, ui: &mut Ui, rect: Rect) {
