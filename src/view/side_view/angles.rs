@@ -4,7 +4,7 @@ use super::super::drawing::{Form, Spot, Stroke};
 use super::super::flights::End;
 use super::super::labels::Label;
 use super::super::text::brief;
-use super::{SMALL, SideView, TEXT};
+use super::{SMALL, SideView, TEXT, Waiting};
 use crate::record::{Event, What};
 use glam::DVec3;
 
@@ -70,7 +70,7 @@ impl SideView<'_> {
         let middle = [at[0] + radius * cos, at[1] + radius * sin];
         if let Some(text) = text {
             let label = Label::new(text, TEXT, self.palette.normal).of(event.id);
-            let important = super::Waiting { around: middle, gap: 6.0, label };
+            let important = Waiting { around: middle, gap: 6.0, label };
             self.labels.insert(0, important);
         }
     }

@@ -5,7 +5,7 @@ use super::super::flights::{End, Flight};
 use super::super::labels::Label;
 use super::super::palette::Colour;
 use super::super::text::brief;
-use super::{SMALL, SideView, TEXT};
+use super::{SMALL, SideView, TEXT, Waiting};
 use crate::record::{CandidateFate, EventId, RayKind, What};
 use glam::DVec3;
 
@@ -33,24 +33,29 @@ impl SideView<'_> {
             let at = self.spot_at(flight, t);
             self.normal(event, at, index == current);
             self.dot(at, 4.5, self.ray_colour(flight.kind), event);
-            let text = if index == current { self.hit_text(event, t) } else { format!("t = {}", brief(t)) };
-            let (size, colour) = if index == current { (TEXT, self.palette.ink) } else { (SMALL, self.palette.faint) };
-            let label = Label::new(text, size, colour).of(event);
+            let text = format!("t = {}", brief(t));
             if index == current {
-                self.labels.insert(0, super::Waiting { around: at, gap: 7.0, label });
-            } else {
-                self.label_later(at, 7.0, label);
+                let label = Label::new(self.hit_text(event, text), TEXT, self.palette.ink).of(event);
+                self.labels.insert(0, Waiting { around: at, gap: 7.0, label });
+            } else if self.is_near(flight) && self.is_long(flight, t) {
+                self.label_later(at, 7.0, Label::new(text, SMALL, self.palette.faint).of(event));
             }
         }
         let frame = self.drawing.frame();
         self.labels.retain(|waiting| frame.contains(waiting.around));
     }
 
-    fn hit_text(&self, event: EventId, t: f64) -> String {
+    fn hit_text(&self, event: EventId, time: String) -> String {
         match &self.tree.event(event).what {
-            What::Hit { part, leaf, .. } => format!("t = {}, {part} of {leaf}", brief(t)),
-            _ => format!("t = {}", brief(t)),
+            What::Hit { part, leaf, .. } => format!("{time}, {part} of {leaf}"),
+            _ => time,
         }
+    }
+
+    /// Whether a ray is long enough in the drawing for its hit time to say something there.
+    fn is_long(&self, flight: &Flight, t: f64) -> bool {
+        let [x, y] = self.plane.shift(flight.direction * t);
+        length([x, y]) > 40.0
     }
 
     fn normal(&mut self, event: EventId, at: Spot, is_current: bool) {
@@ -132,7 +137,8 @@ impl SideView<'_> {
                 _ => None,
             })
             .collect();
-        for (count, (event, t, reason)) in rejected.into_iter().enumerate() {
+        let mut labelled: Vec<Spot> = Vec::new();
+        for (event, t, reason) in rejected {
             let at = self.spot_at(&flight, t);
             if !self.drawing.frame().contains(at) {
                 continue;
@@ -141,11 +147,17 @@ impl SideView<'_> {
             if event == self.step {
                 self.ring(at, event);
                 let label = Label::new(format!("t = {}: {reason}", brief(t)), TEXT, self.palette.ink).of(event);
-                self.labels.insert(0, super::Waiting { around: at, gap: 8.0, label });
-            } else if count < MOST_LABELS {
+                self.labels.insert(0, Waiting { around: at, gap: 8.0, label });
+            } else if labelled.len() < MOST_LABELS && labelled.iter().all(|other| is_clear(*other, at)) {
+                labelled.push(at);
                 self.label_later(at, 6.0, Label::new(brief(t), SMALL, self.palette.bad).of(event));
             }
             self.cross(at, 3.6, Stroke::solid(colour, 1.6), event);
         }
     }
+}
+
+/// Whether two spots are far enough apart for a label each.
+fn is_clear(a: Spot, b: Spot) -> bool {
+    length([a[0] - b[0], a[1] - b[1]]) > 14.0
 }

@@ -3,7 +3,7 @@
 use super::super::drawing::Spot;
 use super::super::flights::{End, Flights};
 use crate::record::{EventId, What};
-use crate::scene::Scene;
+use crate::scene::{Camera, Scene};
 use crate::trace::RayTree;
 use glam::DVec3;
 
@@ -100,10 +100,18 @@ pub(super) fn choose(
     }
 }
 
+/// The view's up direction: the axis of the world that stands upright in the picture, so that floors lie level in the
+/// drawing; the image's own vertical for a camera that is rolled.
+fn view_up(camera: &Camera) -> DVec3 {
+    let axes = [DVec3::X, DVec3::Y, DVec3::Z, DVec3::NEG_X, DVec3::NEG_Y, DVec3::NEG_Z];
+    let upright = axes.into_iter().filter(|axis| axis.dot(camera.right).abs() < 1e-9 && axis.dot(camera.up) > 0.3);
+    upright.max_by(|a, b| a.dot(camera.up).total_cmp(&b.dot(camera.up))).unwrap_or(camera.up)
+}
+
 /// The plane of the ray and the view's up direction; the ray runs to the right.
 fn frame_of_up(origin: DVec3, direction: DVec3, scene: &Scene) -> PlaneView {
     let camera = &scene.camera;
-    let up = camera.up;
+    let up = view_up(camera);
     let level = |v: DVec3| (v - up * v.dot(up)).try_normalize();
     // A ray that runs straight up or down leaves the choice open: the view's own forward direction is as good as any.
     let clear = direction.cross(up).length() > 1e-9;
@@ -115,8 +123,9 @@ fn frame_of_up(origin: DVec3, direction: DVec3, scene: &Scene) -> PlaneView {
 fn frame_of_normal(origin: DVec3, direction: DVec3, normal: DVec3, scene: &Scene) -> PlaneView {
     let in_plane = |v: DVec3| (v - normal * v.dot(normal)).try_normalize();
     let camera = &scene.camera;
-    let steep = camera.up.cross(normal).length() > 0.05;
-    let up = steep.then(|| in_plane(camera.up)).flatten().or_else(|| in_plane(camera.forward)).unwrap_or(camera.up);
+    let upright = view_up(camera);
+    let steep = upright.cross(normal).length() > 0.05;
+    let up = steep.then(|| in_plane(upright)).flatten().or_else(|| in_plane(camera.forward)).unwrap_or(camera.up);
     let across = up.cross(normal);
     let across = if across.dot(direction) < 0.0 { -across } else { across };
     PlaneView { origin, across, up, normal: across.cross(up), scale: 1.0, centre: [0.0, 0.0] }

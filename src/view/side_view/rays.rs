@@ -5,7 +5,7 @@ use super::super::flights::{End, Flight};
 use super::super::labels::{Label, clip};
 use super::super::text::brief;
 use super::{SMALL, SideView, TEXT};
-use crate::record::{RayKind, Span, What};
+use crate::record::{EventId, RayKind, Sign, Span, What};
 use glam::DVec3;
 
 /// Beyond the longest diagonal of any canvas, in points.
@@ -17,14 +17,26 @@ impl SideView<'_> {
         let current = self.flights.owner(self.step);
         for (index, flight) in self.flights.all.iter().enumerate() {
             if self.has_happened(flight.event) || index == 0 {
-                self.ray(flight, index == current);
+                let width = match (index == current, self.is_near(flight)) {
+                    (true, _) => 2.4,
+                    (false, true) => 1.6,
+                    (false, false) => 0.9,
+                };
+                self.ray(flight, width);
             }
         }
     }
 
-    fn ray(&mut self, flight: &Flight, is_current: bool) {
+    /// Whether the current ray sent this one, or was sent by it, directly or through others.
+    pub(super) fn is_near(&self, flight: &Flight) -> bool {
+        let owner = |event: EventId| self.flights.owner(event);
+        let parent = self.tree.event(flight.event).parent;
+        let sent_by_current = parent.is_some_and(|parent| owner(parent) == owner(self.step));
+        sent_by_current || self.tree.path(self.step).into_iter().any(|id| owner(id) == owner(flight.event))
+    }
+
+    fn ray(&mut self, flight: &Flight, width: f64) {
         let colour = self.ray_colour(flight.kind).faded(if self.is_in_plane(flight) { 1.0 } else { 0.5 });
-        let width = if is_current { 2.4 } else { 1.6 };
         let stroke = match flight.kind {
             RayKind::Shadow => Stroke::dashed(colour, width, [6.0, 4.0]),
             _ => Stroke::solid(colour, width),
@@ -109,7 +121,7 @@ impl SideView<'_> {
             match &self.tree.event(id).what {
                 What::Combine { combined, .. } => return combined.iter().map(ends).collect(),
                 What::Implicit { signs, .. } => {
-                    let inside = signs.iter().filter(|span| span.sign == crate::record::Sign::Negative);
+                    let inside = signs.iter().filter(|span| span.sign == Sign::Negative);
                     let end = |t: Option<f64>, open: f64| t.unwrap_or(open);
                     return inside.map(|s| [end(s.from, f64::NEG_INFINITY), end(s.to, f64::INFINITY)]).collect();
                 }
@@ -128,7 +140,7 @@ impl SideView<'_> {
         }
     }
 
-    pub(super) fn cross(&mut self, at: Spot, size: f64, stroke: Stroke, event: u32) {
+    pub(super) fn cross(&mut self, at: Spot, size: f64, stroke: Stroke, event: EventId) {
         for slope in [1.0, -1.0] {
             let points = vec![[at[0] - size, at[1] - slope * size], [at[0] + size, at[1] + slope * size]];
             self.drawing.put(Form::Line { points, stroke }, event);
@@ -136,31 +148,33 @@ impl SideView<'_> {
         self.placer.avoid_spot(at, size);
     }
 
-    /// Lights that lie on the canvas, and the way to those that do not.
+    /// Lights that lie on the canvas, and the way to those that do not. The current ray's lights are named.
     pub(super) fn lights(&mut self) {
         let flights = self.flights;
         for flight in flights.all.iter().filter(|flight| flight.kind == RayKind::Shadow) {
-            if !self.has_happened(flight.event) {
-                continue;
-            }
             let parent = self.tree.event(flight.event).parent;
             let Some(What::Light { name, .. }) = parent.map(|parent| &self.tree.event(parent).what) else { continue };
             let (End::Light(t) | End::Blocked { light: t, .. }) = flight.end else { continue };
-            let colour = self.palette.shadow;
+            if !self.has_happened(flight.event) || !self.is_near(flight) {
+                continue;
+            }
             let lamp = self.spot_at(flight, t);
-            if t.is_finite() && self.drawing.frame().contains(lamp) {
+            let label = |text: String| Label { event: parent, ..Label::new(text, SMALL, self.palette.shadow) };
+            if t.is_finite() && self.drawing.frame().grown(-26.0).contains(lamp) {
                 let opacity = if self.plane.distance(point_at(flight, t)) < 2.0 { 1.0 } else { 0.55 };
+                let label = label(name.clone());
                 self.lamp(lamp, opacity, parent);
-                self.label_later(lamp, 9.0, Label::new(name.clone(), TEXT, colour));
+                self.label_later(lamp, 9.0, label);
             } else if let Some([_, exit]) = self.visible(flight, 0.0, t) {
                 let frame = self.drawing.frame().grown(-14.0);
                 let inside = std::array::from_fn(|i| exit[i].clamp(frame.low[i], frame.high[i]));
-                self.label_later(inside, 4.0, Label::new(format!("to {name}"), SMALL, colour));
+                let label = label(format!("to {name}"));
+                self.label_later(inside, 4.0, label);
             }
         }
     }
 
-    fn lamp(&mut self, at: Spot, opacity: f64, event: Option<u32>) {
+    fn lamp(&mut self, at: Spot, opacity: f64, event: Option<EventId>) {
         let stroke = Stroke::solid(self.palette.shadow.faded(opacity), 1.5);
         for i in 0..8 {
             let (sin, cos) = (f64::from(i) * std::f64::consts::FRAC_PI_4).sin_cos();

@@ -29,6 +29,7 @@ impl SideView<'_> {
             let is_selected = selected == Some(index);
             let stroke = Stroke::solid(colour, if is_selected { 2.4 } else { 1.4 });
             for points in section.outline.into_iter().filter(|points| points.len() > 1) {
+                self.placer.avoid_outline(&points);
                 self.drawing.put(Form::Line { points, stroke }, event);
             }
             for points in self.sheets(&object.solid) {
