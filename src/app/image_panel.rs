@@ -1,13 +1,13 @@
 //! The picture: hover to read a pixel, click to record it, arrow keys to go to its neighbours.
 
 use super::recording::{HitMark, Recording};
-use super::theme::Palette;
+use super::theme::{Palette, colour};
 use crate::record::{Counter, Entry, NullRecorder, RayKind, Recorder, What, format_number};
 use crate::scene::{Rgb, Scene};
 use crate::trace::{srgb, trace_pixel};
 use egui::{
-    Color32, EventFilter, Key, Painter, Pos2, Rect, Response, Role, Sense, Stroke, StrokeKind,
-    TextureHandle, Ui, Vec2, WidgetInfo, pos2, vec2,
+    Color32, EventFilter, Key, Painter, Pos2, Rect, Response, Role, Sense, Stroke, StrokeKind, TextureHandle, Ui, Vec2,
+    WidgetInfo, pos2, vec2,
 };
 
 /// Height of the line below the picture that reads the pixel under the pointer.
@@ -52,7 +52,7 @@ impl ImagePanel {
         };
         ui.painter().rect_filled(above, 0.0, palette.backdrop);
         let place = Placement::fit(view.scene, above.shrink(8.0), ui.pixels_per_point());
-        let response = ui.interact(place.rect, ui.id().with("picture"), Sense::click());
+        let response = ui.interact(place.rect, ui.scope_id().with("picture"), Sense::click());
         response.widget_info(|| WidgetInfo::labeled(Role::Image, true, "Rendered image"));
         let response = response.on_hover_cursor(egui::CursorIcon::Crosshair);
 
@@ -92,7 +92,9 @@ impl ImagePanel {
         let focused = view.recording.map(|recording| recording.pixel);
         let (text, swatch) = match (&self.reading, focused) {
             (Some(reading), _) => (describe(reading), Some(srgb(reading.linear))),
-            (None, Some([x, y])) => (format!("Pixel ({x}, {y}) is recorded. Click another, or use the arrow keys."), None),
+            (None, Some([x, y])) => {
+                (format!("Pixel ({x}, {y}) is recorded. Click another, or use the arrow keys."), None)
+            }
             (None, None) => ("Click a pixel to record what its ray does.".to_owned(), None),
         };
         let mut x = line.left() + 10.0;
@@ -195,8 +197,8 @@ fn draw_crosshair(painter: &Painter, pixel: Rect, picture: Rect) {
         (vec2(pixel.center().x, frame.top() - 14.0), vec2(pixel.center().x, frame.top() - 3.0)),
         (vec2(pixel.center().x, frame.bottom() + 3.0), vec2(pixel.center().x, frame.bottom() + 14.0)),
     ];
-    for (width, colour) in [(3.5, Color32::from_black_alpha(200)), (1.5, Color32::WHITE)] {
-        let stroke = Stroke::new(width, colour);
+    for (width, ink) in [(3.5, Color32::from_black_alpha(200)), (1.5, Color32::WHITE)] {
+        let stroke = Stroke::new(width, ink);
         for (from, to) in arms {
             painter.line_segment([from.to_pos2(), to.to_pos2()], stroke);
         }
@@ -223,14 +225,15 @@ fn draw_hits(painter: &Painter, scene: &Scene, place: &Placement, recording: &Re
     }
 }
 
-/// On the picture, where any colour can lie behind, rays are drawn brighter than in the side view.
+/// Rays have the colours of the drawings on dark ground: with a dark rim they are seen on any colour.
 fn ray_colour(kind: RayKind) -> Color32 {
-    match kind {
-        RayKind::Camera => Color32::WHITE,
-        RayKind::Reflected => Color32::from_rgb(0xff, 0xb5, 0x4d),
-        RayKind::Refracted => Color32::from_rgb(0x63, 0xd2, 0xff),
-        RayKind::Shadow => Color32::from_rgb(0xc8, 0xc8, 0xc8),
-    }
+    let palette = crate::view::Theme::Dark.palette();
+    colour(match kind {
+        RayKind::Camera => palette.camera,
+        RayKind::Reflected => palette.reflected,
+        RayKind::Refracted => palette.refracted,
+        RayKind::Shadow => palette.shadow,
+    })
 }
 
 fn read_pixel(scene: &Scene, pixel: [u32; 2]) -> Reading {

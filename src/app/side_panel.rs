@@ -14,6 +14,9 @@ use std::sync::Arc;
 /// How far one can zoom in and out. Further in, the drawing's numbers run out of digits; further out, nothing is left.
 const ZOOM_RANGE: std::ops::RangeInclusive<f64> = 0.05..=500.0;
 
+/// How far from a mark a click still counts, in points. Less makes thin lines hard to hit.
+const REACH: f64 = 5.0;
+
 /// The side view with its pan and zoom.
 pub struct SidePanel {
     plane: SectionPlane,
@@ -68,12 +71,6 @@ impl SidePanel {
         (self.zoom, self.pan) = (1.0, [0.0; 2]);
     }
 
-    /// Whether the drawing on screen belongs to what is selected now.
-    #[must_use]
-    pub fn is_stale(&self) -> bool {
-        self.canvas.is_stale()
-    }
-
     /// The choice of the plane and the zoom, for the panel's header (right to left).
     pub fn tools(&mut self, ui: &mut Ui) {
         let fitted = self.zoom == 1.0 && self.pan == [0.0; 2];
@@ -99,7 +96,7 @@ impl SidePanel {
             return None;
         };
         let rect = ui.available_rect_before_wrap();
-        let response = ui.interact(rect, ui.id().with("side view"), Sense::click_and_drag());
+        let response = ui.interact(rect, ui.scope_id().with("side view"), Sense::click_and_drag());
         response.widget_info(|| WidgetInfo::labeled(Role::Image, true, "Side view"));
         let response = response.on_hover_and_drag_cursor(CursorIcon::Grab);
         self.pan_and_zoom(ui, &response, rect);
@@ -113,7 +110,7 @@ impl SidePanel {
         }
         let click = response.clicked().then(|| response.interact_pointer_pos()).flatten()?;
         let local = click - rect.min;
-        shown.drawing.as_ref().filter(|_| shown.key == key)?.event_at([f64::from(local.x), f64::from(local.y)])
+        shown.drawing.as_ref().filter(|_| shown.key == key)?.event_at([f64::from(local.x), f64::from(local.y)], REACH)
     }
 
     fn key(&self, ui: &Ui, scene: &Arc<Scene>, recording: &Recording, rect: Rect) -> Key {

@@ -1,6 +1,6 @@
 //! Colours, spacing and fonts.
 
-use crate::view;
+use crate::view::{self, FontRole};
 use egui::{
     Color32, Context, CornerRadius, FontData, FontDefinitions, FontFamily, FontId, Margin, Shadow, Stroke, Style,
     TextStyle, Theme, Visuals,
@@ -10,7 +10,7 @@ use std::sync::Arc;
 /// Padding inside a panel, in points.
 pub const PADDING: i8 = 10;
 
-/// The colours that are not part of egui's own style.
+/// The colours of the window, taken from those of the drawings.
 #[derive(Clone, Copy, Debug)]
 pub struct Palette {
     /// Behind the panels.
@@ -21,7 +21,7 @@ pub struct Palette {
     pub header: Color32,
     /// A panel's edge.
     pub edge: Color32,
-    /// Behind the picture.
+    /// Behind the picture, formulas and tables.
     pub backdrop: Color32,
     /// Behind the selected row.
     pub selected: Color32,
@@ -31,65 +31,55 @@ pub struct Palette {
     pub text: Color32,
     /// Text beside the point.
     pub weak: Color32,
-    /// Numbers.
-    pub number: Color32,
     /// The one colour that draws the eye.
     pub accent: Color32,
     /// What went wrong.
     pub problem: Color32,
 }
 
-const LIGHT: Palette = Palette {
-    window: Color32::from_rgb(0xe6, 0xe8, 0xec),
-    panel: Color32::from_rgb(0xff, 0xff, 0xff),
-    header: Color32::from_rgb(0xf5, 0xf6, 0xf8),
-    edge: Color32::from_rgb(0xcf, 0xd3, 0xda),
-    backdrop: Color32::from_rgb(0xee, 0xf0, 0xf3),
-    selected: Color32::from_rgb(0xd6, 0xe6, 0xfb),
-    hovered: Color32::from_rgb(0xef, 0xf3, 0xf9),
-    text: Color32::from_rgb(0x1f, 0x24, 0x2c),
-    weak: Color32::from_rgb(0x5e, 0x67, 0x74),
-    number: Color32::from_rgb(0x3a, 0x46, 0x57),
-    accent: Color32::from_rgb(0x1b, 0x62, 0xb8),
-    problem: Color32::from_rgb(0xa8, 0x2a, 0x22),
-};
-
-const DARK: Palette = Palette {
-    window: Color32::from_rgb(0x14, 0x16, 0x1a),
-    panel: Color32::from_rgb(0x1e, 0x21, 0x27),
-    header: Color32::from_rgb(0x25, 0x29, 0x30),
-    edge: Color32::from_rgb(0x36, 0x3b, 0x45),
-    backdrop: Color32::from_rgb(0x18, 0x1b, 0x20),
-    selected: Color32::from_rgb(0x2a, 0x42, 0x62),
-    hovered: Color32::from_rgb(0x28, 0x2d, 0x36),
-    text: Color32::from_rgb(0xe4, 0xe7, 0xec),
-    weak: Color32::from_rgb(0x9a, 0xa3, 0xb0),
-    number: Color32::from_rgb(0xc3, 0xcb, 0xd6),
-    accent: Color32::from_rgb(0x6f, 0xb0, 0xf5),
-    problem: Color32::from_rgb(0xf2, 0x8b, 0x82),
-};
-
 impl Palette {
     /// The colours of a theme.
     #[must_use]
-    pub const fn of(theme: Theme) -> &'static Self {
-        match theme {
-            Theme::Light => &LIGHT,
-            Theme::Dark => &DARK,
+    pub fn of(theme: view::Theme) -> Self {
+        let palette = theme.palette();
+        let shade = |share| colour(palette.ground.mixed(palette.ink, share));
+        let dark = theme == view::Theme::Dark;
+        Self {
+            window: if dark { colour(palette.ground.mixed(view::Colour::hex(0), 0.35)) } else { shade(0.09) },
+            panel: colour(palette.ground),
+            header: colour(palette.panel),
+            edge: colour(palette.grid),
+            backdrop: shade(0.035),
+            selected: colour(palette.ground.mixed(palette.camera, if dark { 0.32 } else { 0.17 })),
+            hovered: shade(0.06),
+            text: colour(palette.ink),
+            weak: colour(palette.faint),
+            accent: colour(palette.camera),
+            problem: colour(palette.bad),
         }
     }
 
     /// The colours of the theme that is on.
     #[must_use]
-    pub fn current(ctx: &Context) -> &'static Self {
-        Self::of(ctx.theme())
+    pub fn current(ctx: &Context) -> Self {
+        Self::of(drawing_theme(ctx))
     }
+}
+
+/// A drawing's colour on screen.
+#[must_use]
+pub fn colour(colour: view::Colour) -> Color32 {
+    Color32::from_rgba_unmultiplied(colour.r, colour.g, colour.b, colour.a)
 }
 
 /// The theme that is on, as drawings call it.
 #[must_use]
 pub fn drawing_theme(ctx: &Context) -> view::Theme {
-    match ctx.theme() {
+    as_in_drawings(ctx.theme())
+}
+
+const fn as_in_drawings(theme: Theme) -> view::Theme {
+    match theme {
         Theme::Light => view::Theme::Light,
         Theme::Dark => view::Theme::Dark,
     }
@@ -103,15 +93,34 @@ pub fn install(ctx: &Context) {
     }
 }
 
-/// egui's own fonts, with those of the drawings behind them for the mathematical signs that they lack.
+/// The family of headings.
+#[must_use]
+pub fn bold() -> FontFamily {
+    FontFamily::Name("bold".into())
+}
+
+/// The fonts of the drawings, with egui's own behind them for what is typed into files in other scripts.
 fn fonts() -> FontDefinitions {
     let mut fonts = FontDefinitions::default();
-    for (i, bytes) in view::fonts().iter().enumerate() {
-        let name = format!("rayscope {i}");
-        fonts.font_data.insert(name.clone(), Arc::new(FontData::from_static(bytes)));
-        for family in [FontFamily::Proportional, FontFamily::Monospace] {
-            fonts.families.entry(family).or_default().push(name.clone());
+    let own = fonts.families.get(&FontFamily::Proportional).cloned().unwrap_or_default();
+    let families = [
+        (FontFamily::Proportional, [FontRole::Sans, FontRole::Fallback]),
+        (FontFamily::Monospace, [FontRole::Mono, FontRole::Fallback]),
+        (bold(), [FontRole::Bold, FontRole::Sans]),
+    ];
+    for font in view::fonts() {
+        fonts.font_data.insert(font.name.to_owned(), Arc::new(FontData::from_static(font.bytes)));
+    }
+    for (family, roles) in families {
+        let of_role = |role| view::fonts().iter().filter(move |font| font.role == role);
+        let all_roles = roles.into_iter().chain([FontRole::Sans, FontRole::Fallback]);
+        let mut names: Vec<String> = Vec::new();
+        for name in all_roles.flat_map(of_role).map(|font| font.name.to_owned()).chain(own.iter().cloned()) {
+            if !names.contains(&name) {
+                names.push(name);
+            }
         }
+        fonts.families.insert(family, names);
     }
     fonts
 }
@@ -121,7 +130,7 @@ fn restyle(style: &mut Style, theme: Theme) {
         (TextStyle::Small, FontId::proportional(11.0)),
         (TextStyle::Body, FontId::proportional(13.5)),
         (TextStyle::Button, FontId::proportional(13.0)),
-        (TextStyle::Heading, FontId::proportional(16.0)),
+        (TextStyle::Heading, FontId::new(15.5, bold())),
         (TextStyle::Monospace, FontId::monospace(12.5)),
     ];
     style.text_styles.extend(sizes);
@@ -135,7 +144,7 @@ fn restyle(style: &mut Style, theme: Theme) {
 }
 
 fn visuals(theme: Theme) -> Visuals {
-    let palette = Palette::of(theme);
+    let palette = Palette::of(as_in_drawings(theme));
     let mut visuals = theme.default_visuals();
     visuals.override_text_color = None;
     visuals.weak_text_color = Some(palette.weak);

@@ -81,22 +81,16 @@ pub fn format_number(x: f64) -> String {
         return "0".to_owned();
     }
     let magnitude = x.abs();
-    let text = if (1e-4..1e7).contains(&magnitude) {
-        plain_decimal(magnitude)
-    } else {
-        power_of_ten(magnitude)
-    };
+    let text = if (1e-4..1e7).contains(&magnitude) { plain_decimal(magnitude) } else { power_of_ten(magnitude) };
     if x < 0.0 { format!("−{text}") } else { text }
 }
 
 /// Six significant digits without an exponent, trailing zeros removed.
 fn plain_decimal(magnitude: f64) -> String {
-    let digits_before_point = magnitude.log10().floor().max(0.0) + 1.0;
-    // Between 1e-4 and 1e7 the count of digits lies between 1 and 8.
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "1 to 8, see above")]
-    let decimals = 6_usize.saturating_sub(digits_before_point as usize);
-    let leading_zeros = if magnitude < 0.1 { 2 } else { 0 };
-    let text = format!("{magnitude:.*}", decimals + leading_zeros);
+    // Between 1e-4 and 1e7 the decimal exponent lies between −4 and 6.
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 to 9, see above")]
+    let decimals = (5.0 - magnitude.log10().floor()).max(0.0) as usize;
+    let text = format!("{magnitude:.decimals$}");
     if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
 }
 
@@ -168,7 +162,7 @@ mod tests {
             (1.0, "1"),
             (-2.5, "−2.5"),
             (1234.5678, "1234.57"),
-            (0.000_123_456_7, "0.00012346"),
+            (0.000_123_456_7, "0.000123457"),
             (1e-9, "10⁻⁹"),
             (-1.5e12, "−1.5·10¹²"),
             (f64::INFINITY, "∞"),

@@ -8,6 +8,8 @@ use serde_json::{Map, Number, Value};
 /// Notes all that is wrong with `value` by `rule`.
 pub(super) fn check(rules: &Rules, rule: &Rule, value: &Value, path: Path, problems: &mut Problems) {
     match (rules.resolve(rule), value) {
+        // Stands in for a number that could not be read.
+        (_, Value::Null) if problems.mention(path) => {}
         (Rule::Unknown(_), _) | (Rule::Text, Value::String(_)) | (Rule::Boolean, Value::Bool(_)) => {}
         (Rule::Number(range), Value::Number(number)) => check_number(range, number, path, problems),
         (Rule::Word(words), Value::String(word)) => check_word(words, word, path, problems),
@@ -49,13 +51,19 @@ fn check_number(range: &Range, number: &Number, path: Path, problems: &mut Probl
         && range.above.is_none_or(|above| x > above)
         && range.below.is_none_or(|below| x < below);
     if range.whole && x.fract() != 0.0 || !inside {
-        problems.add(path, format!("expected {}, found {number}", describe_number(range)));
+        let too_large = range.most.filter(|most| x > *most);
+        let most = too_large.map_or_else(String::new, |most| format!(" (at most {})", format_number(most)));
+        problems.add(path, format!("expected {}{most}, found {number}", describe_number(range)));
     }
 }
 
 fn check_word(words: &[String], word: &str, path: Path, problems: &mut Problems) {
-    if !words.iter().any(|known| known == word) {
-        problems.add(path, format!("unknown word `{word}`")).suggest("words", word, words.iter().map(String::as_str));
+    if words.iter().any(|known| known == word) {
+        return;
+    }
+    let problem = problems.add(path, format!("expected {}, found \"{word}\"", describe_words(words)));
+    if let Some(near) = nearest(word, words.iter().map(String::as_str)) {
+        problem.help(format!("did you mean \"{near}\"?"));
     }
 }
 
@@ -66,7 +74,9 @@ fn check_record(rules: &Rules, record: &Record, fields: &Map<String, Value>, pat
             Some(rule) => check(rules, rule, value, path.field(name), problems),
             None => {
                 let missing = record.fields.iter().map(|(field, _)| field.as_str());
-                problems.add_at_name(path.field(name), format!("unknown field `{name}`")).suggest("fields", name, missing);
+                problems
+                    .add_at_name(path.field(name), format!("unknown field `{name}`"))
+                    .suggest("fields", name, missing);
             }
         }
     }
@@ -92,7 +102,11 @@ fn check_tagged(
         Some(Value::String(name)) => match variants.iter().find(|(variant, _)| variant == name) {
             Some((_, record)) => check_record(rules, record, fields, path, problems),
             None => {
-                problems.add(path.field(tag), format!("unknown {tag} `{name}`")).suggest(&format!("{tag}s"), name, known);
+                problems.add(path.field(tag), format!("unknown {tag} `{name}`")).suggest(
+                    &format!("{tag}s"),
+                    name,
+                    known,
+                );
             }
         },
         Some(other) => {
@@ -105,9 +119,9 @@ fn check_tagged(
                 Some(name) => problems
                     .add_at_name(path.field(name), format!("unknown field `{name}`"))
                     .help(format!("did you mean `{tag}`?")),
-                None => problems
-                    .add(path, format!("the field `{tag}` is missing"))
-                    .suggest(&format!("{tag}s"), "", known),
+                None => {
+                    problems.add(path, format!("the field `{tag}` is missing")).suggest(&format!("{tag}s"), "", known)
+                }
             };
         }
     }
@@ -126,11 +140,15 @@ fn check_keyed(
     match present[..] {
         [(_, record)] => check_record(rules, record, fields, path, problems),
         [(first, _), (second, _), ..] => {
-            problems.add(path, format!("`{first}` and `{second}` cannot stand together")).help(format!("keep one of {}", list()));
+            problems
+                .add(path, format!("`{first}` and `{second}` cannot stand together"))
+                .help(format!("keep one of {}", list()));
         }
         [] => match fields.keys().find_map(|name| nearest(name, keys()).map(|near| (name, near))) {
             Some((name, near)) => {
-                problems.add_at_name(path.field(name), format!("unknown field `{name}`")).help(format!("did you mean `{near}`?"));
+                problems
+                    .add_at_name(path.field(name), format!("unknown field `{name}`"))
+                    .help(format!("did you mean `{near}`?"));
             }
             None => {
                 problems.add(path, format!("expected one of the fields {}", list()));
@@ -156,7 +174,7 @@ fn describe(rules: &Rules, rule: &Rule) -> String {
         Rule::Text => "a string".to_owned(),
         Rule::Boolean => "true or false".to_owned(),
         Rule::Number(range) => describe_number(range),
-        Rule::Word(words) => format!("one of {}", words.iter().map(|w| format!("\"{w}\"")).collect::<Vec<_>>().join(", ")),
+        Rule::Word(words) => describe_words(words),
         Rule::List { item, least, most } => describe_list(rules, item, *least, *most),
         Rule::Record(_) | Rule::Map(_) | Rule::Keyed(_) => "an object, `{ … }`".to_owned(),
         Rule::Tagged { tag, .. } => format!("an object with a `{tag}`"),
@@ -181,18 +199,23 @@ fn describe_list(rules: &Rules, item: &Rule, least: usize, most: usize) -> Strin
     }
 }
 
+fn describe_words(words: &[String]) -> String {
+    let quoted: Vec<_> = words.iter().map(|word| format!("\"{word}\"")).collect();
+    format!("one of {}", quoted.join(", "))
+}
+
 fn describe_number(range: &Range) -> String {
     let kind = if range.whole { "a whole number" } else { "a number" };
-    let write = |x: f64| format_number(x);
-    let lower = range.least.map(|x| format!("{} or more", write(x))).or(range.above.map(|x| format!("more than {}", write(x))));
-    let upper = range.most.map(|x| format!("{} at most", write(x))).or(range.below.map(|x| format!("less than {}", write(x))));
-    match (range.least, range.most, lower, upper) {
-        (Some(least), Some(most), ..) if most < f64::from(i32::MAX) => format!("{kind} from {} to {}", write(least), write(most)),
-        (Some(least), ..) if least <= f64::from(i32::MIN) => kind.to_owned(),
-        (_, _, Some(lower), Some(upper)) if range.most.is_none_or(|most| most < f64::from(i32::MAX)) => {
-            format!("{kind}, {lower} and {upper}")
+    match (range.least, range.most, range.above, range.below) {
+        // The limits of the integer types say nothing to a reader.
+        (Some(least), Some(most), ..) if most < f64::from(i32::MAX) => {
+            format!("{kind} from {} to {}", format_number(least), format_number(most))
         }
-        (_, _, Some(limit), _) | (_, _, None, Some(limit)) => format!("{kind}, {limit}"),
+        (Some(least), ..) if least > f64::from(i32::MIN) => format!("{kind}, {} or more", format_number(least)),
+        (_, _, Some(above), Some(below)) => {
+            format!("{kind}, more than {} and less than {}", format_number(above), format_number(below))
+        }
+        (_, _, Some(above), None) => format!("{kind}, more than {}", format_number(above)),
         _ => kind.to_owned(),
     }
 }
@@ -204,7 +227,11 @@ fn found(value: &Value) -> String {
         Value::Number(number) => format!("the number {number}"),
         Value::String(text) if text.chars().count() > 30 => "a string".to_owned(),
         Value::String(text) => format!("the string {text:?}"),
-        Value::Array(items) => format!("a list of {}", items.len()),
+        Value::Array(items) => match items.len() {
+            0 => "an empty list".to_owned(),
+            1 => "a list of 1 item".to_owned(),
+            count => format!("a list of {count} items"),
+        },
         Value::Object(_) => "an object".to_owned(),
     }
 }

@@ -23,17 +23,18 @@ pub fn load(text: &str, origin: &str) -> Result<Scene, Diagnostics> {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let ast = parse(text).map_err(|(range, message)| {
         let problem = Problem { steps: Vec::new(), at_name: false, message, help: Vec::new() };
-        Diagnostics::new(origin, text, vec![(range, problem)])
+        Diagnostics::new(origin, text, vec![(range, problem)], 0)
     })?;
     let mut problems = Problems::default();
     let value = to_value(&ast, Path::Root, &mut problems);
     check(&RULES, &RULES.root, &value, Path::Root, &mut problems);
     let scene = SceneFile::deserialize(&value).ok().and_then(|file| compile(file, &mut problems));
     match scene {
-        Some(scene) if problems.0.is_empty() => Ok(scene),
+        Some(scene) if problems.list.is_empty() => Ok(scene),
         _ => {
             let place = |problem: Problem| (locate(&ast, &problem.steps, problem.at_name), problem);
-            Err(Diagnostics::new(origin, text, problems.distinct().into_iter().map(place).collect()))
+            let left_out = problems.left_out;
+            Err(Diagnostics::new(origin, text, problems.distinct().into_iter().map(place).collect(), left_out))
         }
     }
 }
@@ -90,7 +91,8 @@ fn camera(file: CameraFile, problems: &mut Problems) -> Option<Camera> {
     let path = Path::Root.field("camera");
     let eye = DVec3::from_array(file.eye);
     let Some(forward) = unit(DVec3::from_array(file.look_at) - eye) else {
-        problems.add(path.field("look_at"), "`look_at` is the same point as `eye`, so there is no direction to look in");
+        problems
+            .add(path.field("look_at"), "`look_at` is the same point as `eye`, so there is no direction to look in");
         return None;
     };
     let Some(up) = unit(DVec3::from_array(file.up)) else {
@@ -172,11 +174,7 @@ fn objects(
     if find_circles(named, problems) {
         return Vec::new();
     }
-    // Each named solid is looked at by itself, so that what is wrong with one comes out even if nothing is a copy of it.
-    for (name, solid) in named {
-        let path = Path::Root.field("solids");
-        SolidReader::new(named, None, problems).solid(solid, path.field(name), Around::NOTHING);
-    }
+    SolidReader::look_at_named(named, problems);
     let names = object_names(files, problems);
     let list = Path::Root.field("objects");
     let mut reader = SolidReader::new(named, Some(materials), problems);

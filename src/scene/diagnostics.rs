@@ -27,7 +27,12 @@ pub struct Diagnostic {
 
 /// All errors of a file, in the order of the file.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Diagnostics(pub Vec<Diagnostic>);
+pub struct Diagnostics {
+    /// The errors.
+    pub errors: Vec<Diagnostic>,
+    /// How many more there are, where there are too many to list.
+    pub left_out: usize,
+}
 
 impl std::error::Error for Diagnostics {}
 
@@ -36,9 +41,10 @@ const EXCERPT: usize = 100;
 
 impl Diagnostics {
     /// Puts problems with their ranges in the text into the order of the file.
-    pub(super) fn new(file: &str, text: &str, mut problems: Vec<(Range, Problem)>) -> Self {
+    pub(super) fn new(file: &str, text: &str, mut problems: Vec<(Range, Problem)>, left_out: usize) -> Self {
         problems.sort_by_key(|(range, _)| range.start);
-        Self(problems.into_iter().map(|(range, problem)| Diagnostic::new(file, text, range, problem)).collect())
+        let errors = problems.into_iter().map(|(range, problem)| Diagnostic::new(file, text, range, problem)).collect();
+        Self { errors, left_out }
     }
 }
 
@@ -68,7 +74,13 @@ impl Diagnostic {
 fn excerpt(line: &str, before: usize, under: usize) -> (String, (usize, usize)) {
     let skipped = if before + under.min(EXCERPT / 2) > EXCERPT { before.saturating_sub(EXCERPT / 2) } else { 0 };
     let printable = |c: char| if c.is_control() { ' ' } else { c };
-    let shown: String = line.chars().skip(skipped).take(EXCERPT).map(printable).collect();
+    let mut shown: String = line.chars().skip(skipped).take(EXCERPT).map(printable).collect();
+    if skipped > 0 {
+        shown = format!("…{}", shown.chars().skip(1).collect::<String>());
+    }
+    if line.chars().count() > skipped + EXCERPT {
+        shown.push('…');
+    }
     let start = before - skipped;
     let width = under.min(shown.chars().count().saturating_sub(start)).max(1);
     (shown, (start, width))
@@ -93,13 +105,14 @@ impl Display for Diagnostic {
 
 impl Display for Diagnostics {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        for diagnostic in &self.0 {
+        for diagnostic in &self.errors {
             writeln!(f, "{diagnostic}\n")?;
         }
-        let file = self.0.first().map_or("", |first| first.file.as_str());
-        match self.0.len() {
-            1 => write!(f, "1 error in {file}"),
-            count => write!(f, "{count} errors in {file}"),
+        let file = self.errors.first().map_or("", |first| first.file.as_str());
+        match (self.errors.len(), self.left_out) {
+            (1, 0) => write!(f, "1 error in {file}"),
+            (count, 0) => write!(f, "{count} errors in {file}"),
+            (count, left_out) => write!(f, "{} errors in {file}; the first {count} found are shown", count + left_out),
         }
     }
 }

@@ -103,11 +103,24 @@ fn is_plain(name: &str) -> bool {
     !name.is_empty() && name.chars().all(|c| c.is_alphanumeric() || matches!(c, '_' | '$'))
 }
 
+/// Problems that are kept. Nobody reads more, and a megabyte of nonsense must not make as many messages.
+const MOST_PROBLEMS: usize = 500;
+
 /// The list that problems are gathered in.
 #[derive(Debug, Default)]
-pub(super) struct Problems(pub Vec<Problem>);
+pub(super) struct Problems {
+    pub list: Vec<Problem>,
+    /// How many more there were.
+    pub left_out: usize,
+}
 
 impl Problems {
+    /// Whether something was already found to be wrong with the value at `path`.
+    pub fn mention(&self, path: Path) -> bool {
+        let steps = path.steps();
+        self.list.iter().any(|problem| problem.steps == steps)
+    }
+
     /// Notes that something is wrong with the value at `path`; help may be added to what is returned.
     pub fn add(&mut self, path: Path, message: impl Into<String>) -> Help<'_> {
         self.push(Problem { steps: path.steps(), at_name: false, message: message.into(), help: Vec::new() })
@@ -121,7 +134,7 @@ impl Problems {
     /// All problems, each once: a named solid's come up again with every copy of it.
     pub fn distinct(self) -> Vec<Problem> {
         let mut distinct: Vec<Problem> = Vec::new();
-        for problem in self.0 {
+        for problem in self.list {
             if !distinct.contains(&problem) {
                 distinct.push(problem);
             }
@@ -130,8 +143,12 @@ impl Problems {
     }
 
     fn push(&mut self, problem: Problem) -> Help<'_> {
-        self.0.push(problem);
-        Help(self.0.last_mut())
+        if self.list.len() == MOST_PROBLEMS {
+            self.left_out += 1;
+            return Help(None);
+        }
+        self.list.push(problem);
+        Help(self.list.last_mut())
     }
 }
 

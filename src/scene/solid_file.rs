@@ -54,7 +54,7 @@ impl Parameter for Vec<HalfSpace> {
 pub enum Transform {
     /// Scales about the origin; no factor is 0.
     Scale(Scale),
-    /// Turns about an axis through the origin, counterclockwise seen against the axis.
+    /// Turns about an axis through the origin, counterclockwise as seen from the tip of the axis.
     Rotate {
         /// The axis, of any length but 0.
         axis: [f64; 3],

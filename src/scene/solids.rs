@@ -51,6 +51,8 @@ pub(super) struct SolidReader<'a> {
     /// The places of the materials by name; none where materials do not matter.
     materials: Option<&'a BTreeMap<&'a str, usize>>,
     problems: &'a mut Problems,
+    /// Whether copies are put in place of their originals.
+    follow_copies: bool,
     primitives: usize,
 }
 
@@ -63,14 +65,14 @@ pub fn compile_solid(value: &Value) -> Result<Solid, String> {
     let mut problems = Problems::default();
     check(&RULES, &RULES.root, value, Path::Root, &mut problems);
     let named = Map::new();
-    let compiled = if problems.0.is_empty() {
+    let compiled = if problems.list.is_empty() {
         SolidReader::new(&named, None, &mut problems).solid(value, Path::Root, Around::NOTHING)
     } else {
         None
     };
     match compiled {
-        Some(compiled) if problems.0.is_empty() => Ok(compiled.solid),
-        _ => Err(problems.0.iter().map(ToString::to_string).collect::<Vec<_>>().join(" | ")),
+        Some(compiled) if problems.list.is_empty() => Ok(compiled.solid),
+        _ => Err(problems.list.iter().map(ToString::to_string).collect::<Vec<_>>().join(" | ")),
     }
 }
 
@@ -81,13 +83,25 @@ impl<'a> SolidReader<'a> {
         materials: Option<&'a BTreeMap<&'a str, usize>>,
         problems: &'a mut Problems,
     ) -> Self {
-        Self { named, materials, problems, primitives: 0 }
+        Self { named, materials, problems, follow_copies: true, primitives: 0 }
+    }
+
+    /// Looks at each named solid by itself, so that what is wrong with one comes out even if nothing is a copy of it.
+    pub fn look_at_named(named: &'a Map<String, Value>, problems: &'a mut Problems) {
+        let path = Path::Root.field("solids");
+        let mut reader = Self { follow_copies: false, ..Self::new(named, None, problems) };
+        for (name, solid) in named {
+            reader.solid(solid, path.field(name), Around::NOTHING);
+        }
     }
 
     /// Compiles the solid at `path`; none if something is wrong with it.
     pub fn solid(&mut self, value: &Value, path: Path, around: Around) -> Option<Compiled> {
         let common = Common::deserialize(value).ok()?;
-        let shape = value.get("shape")?.as_str()?;
+        let shape = value.get("shape").and_then(Value::as_str).filter(|shape| is_known(shape))?;
+        if self.primitives > MOST_PRIMITIVES {
+            return None;
+        }
         if around.level > MOST_LEVELS {
             self.problems.add(path, format!("solids are nested more than {MOST_LEVELS} deep"));
             return None;
@@ -138,9 +152,11 @@ impl<'a> SolidReader<'a> {
         let materials = self.materials?;
         let found = materials.get(name).copied();
         if found.is_none() {
-            self.problems
-                .add(path.field("material"), format!("unknown material `{name}`"))
-                .suggest("materials", name, materials.keys().copied());
+            self.problems.add(path.field("material"), format!("unknown material `{name}`")).suggest(
+                "materials",
+                name,
+                materials.keys().copied(),
+            );
         }
         // The first material stands in, so that the same mistake is not reported as a missing one.
         found.or(Some(0))
@@ -177,9 +193,16 @@ impl<'a> SolidReader<'a> {
         let name = value.get("solid")?.as_str()?;
         let Some(original) = self.named.get(name) else {
             let known = self.named.keys().map(String::as_str);
-            self.problems.add(path.field("solid"), format!("unknown solid `{name}`")).suggest("named solids", name, known);
+            self.problems.add(path.field("solid"), format!("unknown solid `{name}`")).suggest(
+                "named solids",
+                name,
+                known,
+            );
             return None;
         };
+        if !self.follow_copies {
+            return None;
+        }
         let own_name = original.get("name").and_then(Value::as_str);
         let inner = Around { name: around.name.or(own_name).or(Some(name)), ..around };
         self.solid(original, Path::Root.field("solids").field(name), inner)
@@ -188,9 +211,7 @@ impl<'a> SolidReader<'a> {
     fn primitive(&mut self, shape: &str, value: &Value, path: Path, around: Around) -> Option<Compiled> {
         self.primitives += 1;
         if self.primitives > MOST_PRIMITIVES {
-            if self.primitives == MOST_PRIMITIVES + 1 {
-                self.problems.add(path, format!("the scene has more than {MOST_PRIMITIVES} primitives, copies counted"));
-            }
+            self.problems.add(path, format!("the scene has more than {MOST_PRIMITIVES} primitives, copies counted"));
             return None;
         }
         if around.part_of_compound && shape == "square" {
@@ -208,13 +229,17 @@ impl<'a> SolidReader<'a> {
         let placement = match Placement::new(around.affine) {
             Ok(placement) => placement,
             Err(message) => {
-                self.problems.add(path, message);
+                self.problems.add(path.field("transform"), message);
                 return None;
             }
         };
         let solid = Solid::leaf(Leaf::new(name, shape, placement));
         Some(Compiled { solid, leaf_materials: vec![around.material.unwrap_or(0)], levels: 1 })
     }
+}
+
+fn is_known(shape: &str) -> bool {
+    Shape::NAMES.contains(&shape) || ["union", "intersection", "difference", "copy"].contains(&shape)
 }
 
 macro_rules! define_read_shape {
@@ -252,12 +277,12 @@ fn parameter_at_fault<'p>(message: &str, parameters: &[&'p str]) -> Option<&'p s
 ///
 /// Returns whether there is one: then nothing can be compiled.
 pub(super) fn find_circles(named: &Map<String, Value>, problems: &mut Problems) -> bool {
-    let before = problems.0.len();
+    let before = problems.list.len();
     let mut search = CircleSearch { named, open: Vec::new(), done: Vec::new(), problems };
     for name in named.keys() {
         search.visit(name);
     }
-    search.problems.0.len() > before
+    search.problems.list.len() > before
 }
 
 struct CircleSearch<'a> {
@@ -282,7 +307,10 @@ impl<'a> CircleSearch<'a> {
                 Some(start) => {
                     let circle = [&self.open[start..], &[name]].concat().join(" → ");
                     self.problems
-                        .add(path.field("solid"), format!("the named solids are copies of themselves in a circle: {circle}"))
+                        .add(
+                            path.field("solid"),
+                            format!("the named solids are copies of themselves in a circle: {circle}"),
+                        )
                         .help("a solid cannot be a part of itself; make one of them without the other");
                 }
                 None => self.visit(name),

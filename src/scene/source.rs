@@ -78,27 +78,25 @@ fn to_map(object: &Object, path: Path, problems: &mut Problems) -> Map<String, V
         let name = property.name.as_str();
         let value = to_value(&property.value, path.field(name), problems);
         if map.insert(name.to_owned(), value).is_some() {
-            problems.add_at_name(path.field(name), format!("`{name}` stands here more than once")).help("keep one of them");
+            problems
+                .add_at_name(path.field(name), format!("`{name}` stands here more than once"))
+                .help("keep one of them");
         }
     }
     map
 }
 
-/// Whole numbers written with a point or an exponent (`640.0`, `1e3`) are whole numbers too, as in JSON Schema.
+/// A number that cannot be held becomes null. Whole numbers written with a point or an exponent (`640.0`, `1e3`) are whole numbers too, as in JSON Schema.
 fn to_number(text: &str, path: Path, problems: &mut Problems) -> Value {
-    let digits = text.trim_start_matches('-');
     let finite = text.parse::<f64>().ok().filter(|number| number.is_finite());
-    let leading_zero = digits.len() > 1 && digits.starts_with('0') && digits.as_bytes()[1].is_ascii_digit();
-    if leading_zero {
-        problems.add(path, format!("`{text}` is not a JSON number: it begins with a 0")).help("leave out the leading 0");
-    } else if finite.is_none() {
+    if finite.is_none() {
         problems
             .add(path, format!("the number `{text}` is too large"))
             .help("the largest number that can be held is about 1.8e308");
     }
-    // A stand-in of 1 keeps a number that was already noted from being noted again.
-    let number = finite.unwrap_or(1.0);
-    let whole = number.fract() == 0.0 && number != 0.0 && number.abs() < 9e15;
+    let Some(number) = finite else { return Value::Null };
+    // Negative zero has no whole number.
+    let whole = number.fract() == 0.0 && number.abs() < 9e15 && !(number == 0.0 && number.is_sign_negative());
     #[expect(clippy::cast_possible_truncation, reason = "whole and below 2⁵³")]
     if whole { Value::from(number as i64) } else { Number::from_f64(number).map_or(Value::Null, Value::Number) }
 }

@@ -1,0 +1,304 @@
+//! Left, right and combined list of a CSG node as bars on one t axis.
+
+use super::axis::Axis;
+use super::drawing::{Anchor, Drawing, Form, Frame, Stroke, Text};
+use super::flights::{End, Flights};
+use super::fonts::{Face, text_width};
+use super::labels::{Label, Placer, shortened};
+use super::palette::{Colour, Palette, Theme};
+use super::text::{brief, row};
+use crate::record::{Edge, EventId, Operator, Span, What};
+use crate::trace::RayTree;
+
+/// Sizes in points.
+const TEXT: f64 = 11.5;
+const SMALL: f64 = 10.5;
+const MARGIN: f64 = 12.0;
+
+/// The bars of the `Combine` event at or nearest above `selected`, else of the first below it.
+#[must_use]
+pub fn interval_bars(tree: &RayTree, selected: EventId, size: [f64; 2], theme: Theme) -> Option<Drawing> {
+    let event = combine_at(tree, selected)?;
+    let What::Combine { name, operator, left, right, combined, early_out } = &tree.event(event).what else {
+        return None;
+    };
+    let palette = theme.palette();
+    let drawing = Drawing::new(size, palette.ground);
+    let hit = match Flights::of(tree).ray_of(event).end {
+        End::Hit { event, t } => Some((event, t)),
+        _ => None,
+    };
+    let mut bars = Bars {
+        placer: Placer::new(drawing.frame().grown(-2.0)),
+        axis: Axis { values: range(&[left, right.as_deref().unwrap_or(&[]), combined], hit), points: [0.0, 1.0] },
+        drawing,
+        palette,
+        event,
+    };
+    let top = bars.caption(&row(tree.event(event)).label, early_out.as_deref());
+    let names = ["left".to_owned(), "right".to_owned(), format!("left {} right", operator.sign())];
+    let heads = operands(tree, event, *operator, name, names);
+    bars.lay_out(&heads);
+    bars.lists(top, &heads, [Some(left), right.as_ref(), Some(combined)], hit);
+    Some(bars.drawing)
+}
+
+fn combine_at(tree: &RayTree, selected: EventId) -> Option<EventId> {
+    let is_combine = |id: &EventId| matches!(tree.event(*id).what, What::Combine { .. });
+    if selected >= tree.end() {
+        return None;
+    }
+    let above = tree.path(selected).into_iter().rev().find(is_combine);
+    above.or_else(|| (selected..tree.subtree_end(selected)).find(is_combine))
+}
+
+/// The bars' names, with the names of the operands where they are known.
+fn operands(tree: &RayTree, event: EventId, operator: Operator, name: &str, plain: [String; 3]) -> [String; 3] {
+    let mut below = tree.children(event).filter_map(|child| match &child.what {
+        What::Primitive { name, .. } | What::Combine { name, .. } => Some(name.clone()),
+        _ => None,
+    });
+    let (left, right) = (below.next(), below.next());
+    let [plain_left, plain_right, plain_result] = plain;
+    let named = |plain: String, name: Option<String>| name.map_or(plain.clone(), |name| format!("{plain}: {name}"));
+    let result = if name == operator.name() { None } else { Some(name.to_owned()) };
+    [named(plain_left, left), named(plain_right, right), result.unwrap_or(plain_result)]
+}
+
+/// The stretch of t that is shown: all boundaries, the hit, and the ray's start unless it is far off.
+fn range(lists: &[&[Span]], hit: Option<(EventId, f64)>) -> [f64; 2] {
+    let ends = lists.iter().flat_map(|list| list.iter()).flat_map(|span| [&span.enter, &span.leave]).flatten();
+    let times: Vec<f64> = ends.map(|edge| edge.t).filter(|t| t.is_finite()).collect();
+    let hit = hit.map(|(_, t)| t).filter(|t| t.is_finite());
+    let (first, last) = bounds(&times).or(hit.map(|t| (t, t))).unwrap_or((0.0, 1.0));
+    let length = last - first;
+    let near = |t: f64| t > first - 1.5 * length && t < last + 1.5 * length;
+    let (mut low, mut high) = (first, last);
+    // The start is shown unless everything else would shrink to less than two fifths; so is the hit.
+    for t in [Some(0.0), hit].into_iter().flatten() {
+        if near(t) || length == 0.0 {
+            (low, high) = (low.min(t), high.max(t));
+        }
+    }
+    let margin = if high > low { 0.08 * (high - low) } else { 0.5 * low.abs().max(1.0) };
+    [low - margin, high + margin]
+}
+
+fn bounds(times: &[f64]) -> Option<(f64, f64)> {
+    let low = times.iter().copied().reduce(f64::min)?;
+    let high = times.iter().copied().reduce(f64::max)?;
+    Some((low, high))
+}
+
+struct Bars {
+    drawing: Drawing,
+    placer: Placer,
+    axis: Axis,
+    palette: &'static Palette,
+    event: EventId,
+}
+
+impl Bars {
+    /// The title and the reason of an early out; returns the height that is left below them.
+    fn caption(&mut self, title: &str, early_out: Option<&str>) -> f64 {
+        let width = self.drawing.width - 2.0 * MARGIN;
+        let mut y = MARGIN + 0.5 * TEXT;
+        let label = Label::new(shortened(title, width, 13.0, Face::Bold), 13.0, self.palette.ink).face(Face::Bold);
+        self.placer.put_at(&mut self.drawing, label.at([MARGIN, y], Anchor::Start, None), Some(self.event));
+        if let Some(reason) = early_out {
+            y += 17.0;
+            let reason = shortened(&format!("Early out: {reason}"), width, TEXT, Face::Sans);
+            let label = Label::new(reason, TEXT, self.palette.bad);
+            self.placer.put_at(&mut self.drawing, label.at([MARGIN, y], Anchor::Start, None), Some(self.event));
+        }
+        y + 14.0
+    }
+
+    /// Leaves room for the bars' names at the left.
+    fn lay_out(&mut self, heads: &[String; 3]) {
+        let widest = heads.iter().map(|head| text_width(head, TEXT, Face::Sans)).fold(0.0, f64::max);
+        let column = widest.min(0.3 * self.drawing.width);
+        self.axis.points = [MARGIN + column + 10.0, self.drawing.width - MARGIN];
+    }
+
+    fn lists(&mut self, top: f64, heads: &[String; 3], lists: [Option<&Vec<Span>>; 3], hit: Option<(EventId, f64)>) {
+        let bottom = self.drawing.height - 34.0;
+        let pitch = ((bottom - top) / 3.0).min(84.0);
+        let thick = (pitch * 0.34).clamp(7.0, 20.0);
+        let colours = [self.palette.left, self.palette.right, self.palette.combined];
+        let middle = |row: usize| top + pitch * (row as f64 + 0.5);
+        let base = top + pitch * 3.0;
+        self.time_marks(top, base, hit);
+        for (row, list) in lists.iter().enumerate() {
+            self.head(&heads[row], middle(row));
+            self.track(middle(row));
+            for span in list.iter().flat_map(|list| list.iter()) {
+                self.bar(span, middle(row), thick, colours[row]);
+            }
+        }
+        self.guides(lists[2], [middle(0) - thick * 0.5, middle(2)]);
+        self.shade_behind(top, base);
+        self.ticks(base);
+        for (row, list) in lists.iter().enumerate() {
+            match list {
+                Some(list) if list.is_empty() => self.remark("empty", middle(row)),
+                Some(list) => self.edges(list, middle(row), thick),
+                None => self.remark("not asked", middle(row)),
+            }
+        }
+    }
+
+    fn head(&mut self, head: &str, y: f64) {
+        let room = self.axis.points[0] - MARGIN - 8.0;
+        let label = Label::new(shortened(head, room, TEXT, Face::Sans), TEXT, self.palette.ink);
+        self.placer.put_at(&mut self.drawing, label.at([MARGIN, y], Anchor::Start, None), None);
+    }
+
+    fn track(&mut self, y: f64) {
+        let [left, right] = self.axis.points;
+        let stroke = Stroke::solid(self.palette.grid, 1.0);
+        self.drawing.put(Form::Line { points: vec![[left, y], [right, y]], stroke }, None);
+    }
+
+    /// A bar; an end that is unbounded fades out and has an arrow head.
+    fn bar(&mut self, span: &Span, y: f64, thick: f64, colour: Colour) {
+        let [left, right] = self.axis.points;
+        let from = span.enter.as_ref().map_or(left, |edge| self.axis.at(edge.t).clamp(left, right));
+        let to = span.leave.as_ref().map_or(right, |edge| self.axis.at(edge.t).clamp(left, right));
+        let frame = |a: f64, b: f64| Frame { low: [a, y - thick / 2.0], high: [b, y + thick / 2.0] };
+        let fade = 28.0_f64.min((to - from) / 2.0);
+        let (mut solid_from, mut solid_to) = (from, to);
+        const STEPS: usize = 7;
+        let slices = |open: bool| if open { STEPS } else { 0 };
+        for i in 0..slices(span.enter.is_none()) {
+            let at = |i: usize| from + fade * i as f64 / STEPS as f64;
+            let fill = Some(colour.faded((i as f64 + 1.0) / (STEPS as f64 + 1.0)));
+            self.drawing.put(Form::Rect { frame: frame(at(i), at(i + 1)), fill, stroke: None }, self.event);
+            solid_from = from + fade;
+        }
+        for i in 0..slices(span.leave.is_none()) {
+            let at = |i: usize| to - fade * i as f64 / STEPS as f64;
+            let fill = Some(colour.faded((i as f64 + 1.0) / (STEPS as f64 + 1.0)));
+            self.drawing.put(Form::Rect { frame: frame(at(i + 1), at(i)), fill, stroke: None }, self.event);
+            solid_to = to - fade;
+        }
+        // A stretch too short to see is still there.
+        let (solid_from, solid_to) =
+            if solid_to - solid_from < 1.5 { (solid_from - 0.75, solid_from + 0.75) } else { (solid_from, solid_to) };
+        self.drawing
+            .put(Form::Rect { frame: frame(solid_from, solid_to), fill: Some(colour), stroke: None }, self.event);
+        for (open, tip, inner) in
+            [(span.enter.is_none(), left - 4.0, left + 8.0), (span.leave.is_none(), right + 4.0, right - 8.0)]
+        {
+            if open {
+                let stroke = Stroke::solid(colour, 1.5);
+                self.drawing.put(Form::Arrow { from: [inner, y], to: [tip, y], head: 8.0, stroke }, self.event);
+            }
+        }
+    }
+
+    /// Thin lines from the boundaries of the result up to the operands that they come from.
+    fn guides(&mut self, combined: Option<&Vec<Span>>, [top, bottom]: [f64; 2]) {
+        let ends = combined.into_iter().flatten().flat_map(|span| [&span.enter, &span.leave]).flatten();
+        for edge in ends.filter(|edge| self.axis.shows(edge.t)) {
+            let x = self.axis.at(edge.t);
+            let stroke = Stroke::dashed(self.palette.combined, 1.0, [2.0, 3.0]);
+            self.drawing.put(Form::Line { points: vec![[x, top], [x, bottom]], stroke }, None);
+        }
+    }
+
+    /// What lies behind the ray's start is greyed.
+    fn shade_behind(&mut self, top: f64, base: f64) {
+        let [left, right] = self.axis.points;
+        let start = self.axis.at(0.0).min(right);
+        if start > left {
+            let frame = Frame { low: [left - 5.0, top], high: [start, base] };
+            self.drawing.put(Form::Rect { frame, fill: Some(self.palette.ground.faded(0.62)), stroke: None }, None);
+        }
+    }
+
+    /// The ray's start and the hit that is seen.
+    fn time_marks(&mut self, top: f64, base: f64, hit: Option<(EventId, f64)>) {
+        let mut mark = |t: f64, name: String, colour: Colour, event: Option<EventId>| {
+            let x = self.axis.at(t);
+            let stroke = Stroke::solid(colour, 1.4);
+            self.drawing.put(Form::Line { points: vec![[x, top - 2.0], [x, base]], stroke }, event);
+            for (side, anchor) in [(0.0, Anchor::Middle), (-3.0, Anchor::Start), (3.0, Anchor::End)] {
+                let label = Label::new(name.clone(), SMALL, colour);
+                if self.placer.put_at(&mut self.drawing, label.at([x + side, base + 25.0], anchor, None), event) {
+                    break;
+                }
+            }
+        };
+        if let Some((event, t)) = hit.filter(|(_, t)| self.axis.shows(*t)) {
+            mark(t, format!("seen: t = {}", brief(t)), self.palette.good, Some(event));
+        }
+        if self.axis.shows(0.0) {
+            mark(0.0, "the ray starts".to_owned(), self.palette.ink, None);
+        } else {
+            let [left, right] = self.axis.points;
+            let text =
+                if self.axis.values[0] > 0.0 { "← the ray starts at t = 0" } else { "the ray starts at t = 0 →" };
+            let label = Label::new(text, SMALL, self.palette.faint);
+            let mut places = [([left, base + 25.0], Anchor::Start), ([right, base + 25.0], Anchor::End)];
+            if self.axis.values[0] <= 0.0 {
+                places.reverse();
+            }
+            let mut put = |(at, anchor)| self.placer.put_at(&mut self.drawing, label.at(at, anchor, None), None);
+            let _ = put(places[0]) || put(places[1]);
+        }
+    }
+
+    fn ticks(&mut self, base: f64) {
+        let [left, right] = self.axis.points;
+        let stroke = Stroke::solid(self.palette.faint, 1.0);
+        self.drawing.put(Form::Line { points: vec![[left, base], [right, base]], stroke }, None);
+        let name = Label::new("t", TEXT, self.palette.faint);
+        self.placer.put_at(&mut self.drawing, name.at([left - 8.0, base + 9.0], Anchor::Middle, None), None);
+        for tick in self.axis.ticks((right - left) / 60.0) {
+            let x = self.axis.at(tick);
+            self.drawing.put(Form::Line { points: vec![[x, base], [x, base + 4.0]], stroke }, None);
+            let label = Label::new(brief(tick), SMALL, self.palette.faint);
+            self.placer.put_at(&mut self.drawing, label.at([x, base + 11.0], Anchor::Middle, None), None);
+        }
+    }
+
+    fn remark(&mut self, text: &str, y: f64) {
+        let halo = Some(self.palette.ground);
+        let label = Label::new(text, TEXT, self.palette.faint);
+        let x = (self.axis.points[0] + self.axis.points[1]) / 2.0;
+        self.placer.put_at(&mut self.drawing, label.at([x, y], Anchor::Middle, halo), Some(self.event));
+    }
+
+    /// The names of the boundaries: entries above the bar, exits below it, shorter where there is no room.
+    fn edges(&mut self, spans: &[Span], y: f64, thick: f64) {
+        let offset = thick / 2.0 + 0.78 * SMALL;
+        for span in spans {
+            for (edge, first, outward) in [(&span.enter, -offset, Anchor::Start), (&span.leave, offset, Anchor::End)] {
+                if let Some(edge) = edge.as_ref().filter(|edge| self.axis.shows(edge.t)) {
+                    self.edge(edge, [y + first, y - first], outward);
+                }
+            }
+        }
+    }
+
+    fn edge(&mut self, edge: &Edge, heights: [f64; 2], outward: Anchor) {
+        let x = self.axis.at(edge.t);
+        let turned = if edge.flipped { ", turned round" } else { "" };
+        let long = format!("{}  {} of {}{turned}", brief(edge.t), edge.part, edge.name);
+        let middling = format!("{}  {}", brief(edge.t), edge.name);
+        for text in [long, middling, brief(edge.t)] {
+            for y in heights {
+                for anchor in [outward, Anchor::Middle, Anchor::Start, Anchor::End] {
+                    let label = Label::new(text.clone(), SMALL, self.palette.ink);
+                    let text: Text = label.at([x, y], anchor, Some(self.palette.ground));
+                    if text.frame().low[0] >= self.axis.points[0] - 6.0
+                        && self.placer.put_at(&mut self.drawing, text, Some(self.event))
+                    {
+                        return;
+                    }
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,285 @@
+//! d(t) along the ray: where it is positive (outside), zero (on the surface) and negative (inside).
+
+use super::axis::{Axis, round_step};
+use super::drawing::{Anchor, Drawing, Form, Frame, Spot, Stroke};
+use super::fonts::Face;
+use super::labels::{Label, Placer, shortened};
+use super::palette::{Colour, Palette, Theme};
+use super::text::brief;
+use crate::record::{EventId, Sign, SignSpan, What};
+use crate::trace::RayTree;
+
+/// Sizes in points.
+const TEXT: f64 = 11.5;
+const SMALL: f64 = 10.5;
+const MARGIN: f64 = 12.0;
+const STRIP: f64 = 13.0;
+
+/// The plot of the `Implicit` event at or near `selected`: itself, the first below it, or the first below the nearest
+/// event above it that has one and is part of the same object.
+#[must_use]
+pub fn sign_plot(tree: &RayTree, selected: EventId, size: [f64; 2], theme: Theme) -> Option<Drawing> {
+    let event = implicit_near(tree, selected)?;
+    let What::Implicit { equation, samples, roots, signs } = &tree.event(event).what else { return None };
+    let samples: Vec<Spot> = samples.iter().copied().filter(|[t, d]| t.is_finite() && d.is_finite()).collect();
+    let ([first, _], [last, _]) = (samples.first()?, samples.last()?);
+    if first >= last {
+        return None;
+    }
+    let palette = theme.palette();
+    let drawing = Drawing::new(size, palette.ground);
+    let compression = Compression::of(&samples);
+    let (top, bottom) = (MARGIN + 30.0, drawing.height - 48.0);
+    let mut plot = Plot {
+        t: Axis { values: [*first, *last], points: [MARGIN + 40.0, drawing.width - MARGIN] },
+        d: compression.axis(&samples, [bottom, top]),
+        placer: Placer::new(drawing.frame().grown(-2.0)),
+        drawing,
+        palette,
+        event,
+        compression,
+    };
+    plot.caption(equation);
+    plot.grid();
+    plot.curve(&with_roots(&samples, roots));
+    plot.strip(signs);
+    plot.roots(roots);
+    plot.start();
+    plot.values();
+    Some(plot.drawing)
+}
+
+fn implicit_near(tree: &RayTree, selected: EventId) -> Option<EventId> {
+    if selected >= tree.end() {
+        return None;
+    }
+    let below =
+        |id: EventId| (id..tree.subtree_end(id)).find(|&id| matches!(tree.event(id).what, What::Implicit { .. }));
+    for id in tree.path(selected).into_iter().rev() {
+        if let Some(found) = below(id) {
+            return Some(found);
+        }
+        if matches!(tree.event(id).what, What::Object { .. } | What::Ray { .. } | What::Step { .. }) {
+            return None;
+        }
+    }
+    None
+}
+
+/// How d is brought onto paper: straight, or through asinh(d / unit), which is straight near zero and logarithmic far
+/// from it, so that the zeros of a steep polynomial stay apart from the axis.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Compression {
+    unit: Option<f64>,
+}
+
+impl Compression {
+    /// Straight where the largest d is at most `STEEP` times the middle one.
+    fn of(samples: &[Spot]) -> Self {
+        /// Smaller would compress a parabola, whose plain shape students know; larger would let the dip of a torus,
+        /// seen from far, vanish in the line of the axis.
+        const STEEP: f64 = 12.0;
+        let mut sizes: Vec<f64> = samples.iter().map(|[_, d]| d.abs()).collect();
+        sizes.sort_by(f64::total_cmp);
+        let largest = sizes.last().copied().unwrap_or(0.0);
+        let deepest = samples.iter().map(|[_, d]| -d).fold(0.0, f64::max);
+        let middle = sizes.get(sizes.len() / 2).copied().unwrap_or(0.0);
+        let scale = if deepest > 0.0 { deepest.min(middle) } else { middle };
+        let steep = largest > STEEP * scale && scale > 0.0;
+        Self { unit: steep.then(|| round_step(scale / 2.0)) }
+    }
+
+    fn apply(self, d: f64) -> f64 {
+        self.unit.map_or(d, |unit| (d / unit).asinh())
+    }
+
+    fn axis(self, samples: &[Spot], points: [f64; 2]) -> Axis {
+        let values = samples.iter().map(|[_, d]| self.apply(*d));
+        let low = values.clone().fold(0.0, f64::min);
+        let high = values.fold(0.0, f64::max);
+        let margin = if high > low { 0.08 * (high - low) } else { 1.0 };
+        Axis { values: [low - margin, high + margin], points }
+    }
+
+    /// Values of d at which a tick stands.
+    fn ticks(self, axis: &Axis) -> Vec<f64> {
+        let Some(unit) = self.unit else {
+            return axis.ticks(((axis.points[0] - axis.points[1]) / 34.0).max(2.0));
+        };
+        let decades = (0..16).map(|power| unit * 10_f64.powi(power));
+        let both = decades.flat_map(|d| [d, -d]).filter(|&d| axis.shows(self.apply(d)));
+        std::iter::once(0.0).chain(both).collect()
+    }
+}
+
+/// The samples with the roots put in as zeros, so that the curve changes colour where it crosses the axis.
+fn with_roots(samples: &[Spot], roots: &[f64]) -> Vec<Spot> {
+    let mut all: Vec<Spot> = samples.to_vec();
+    all.extend(roots.iter().filter(|root| root.is_finite()).map(|&root| [root, 0.0]));
+    all.sort_by(|a, b| a[0].total_cmp(&b[0]));
+    all
+}
+
+struct Plot {
+    drawing: Drawing,
+    placer: Placer,
+    palette: &'static Palette,
+    t: Axis,
+    d: Axis,
+    compression: Compression,
+    event: EventId,
+}
+
+impl Plot {
+    fn at(&self, [t, d]: Spot) -> Spot {
+        [self.t.at(t), self.d.at(self.compression.apply(d))]
+    }
+
+    fn colour(&self, sign: Sign) -> Colour {
+        match sign {
+            Sign::Positive => self.palette.outside,
+            Sign::Negative => self.palette.inside,
+        }
+    }
+
+    fn caption(&mut self, equation: &str) {
+        let width = self.drawing.width - 2.0 * MARGIN;
+        let text = shortened(&format!("d(t) = F(S + c t) with F = {equation}"), width, TEXT, Face::Sans);
+        let label = Label::new(text, TEXT, self.palette.ink);
+        self.placer.put_at(&mut self.drawing, label.at([MARGIN, MARGIN + 2.0], Anchor::Start, None), Some(self.event));
+        let name = match self.compression.unit {
+            Some(unit) => format!("d, compressed: asinh(d / {})", brief(unit)),
+            None => "d".to_owned(),
+        };
+        let label = Label::new(name, SMALL, self.palette.faint);
+        self.placer.put_at(&mut self.drawing, label.at([MARGIN, MARGIN + 20.0], Anchor::Start, None), None);
+    }
+
+    fn grid(&mut self) {
+        let [left, right] = self.t.points;
+        let fine = Stroke::solid(self.palette.grid.faded(0.7), 0.8);
+        for d in self.compression.ticks(&self.d) {
+            let y = self.d.at(self.compression.apply(d));
+            self.drawing.put(Form::Line { points: vec![[left, y], [right, y]], stroke: fine }, None);
+        }
+        let zero = self.d.at(0.0);
+        let stroke = Stroke::solid(self.palette.faint, 1.2);
+        self.drawing.put(Form::Line { points: vec![[left, zero], [right, zero]], stroke }, None);
+    }
+
+    /// The curve in pieces of one sign, each with the area between it and the axis.
+    fn curve(&mut self, samples: &[Spot]) {
+        let mut piece: Vec<Spot> = Vec::new();
+        for &[t, d] in samples {
+            let crossing = piece
+                .last()
+                .filter(|last| last[1] * d < 0.0)
+                .map(|last| last[0] + (t - last[0]) * last[1] / (last[1] - d));
+            if let Some(crossing) = crossing {
+                piece.push([crossing, 0.0]);
+                self.piece(&piece);
+                piece = vec![[crossing, 0.0]];
+            }
+            piece.push([t, d]);
+            if d == 0.0 {
+                self.piece(&piece);
+                piece = vec![[t, d]];
+            }
+        }
+        self.piece(&piece);
+    }
+
+    fn piece(&mut self, samples: &[Spot]) {
+        let Some(&[_, d]) = samples.iter().find(|[_, d]| *d != 0.0) else { return };
+        let colour = self.colour(if d > 0.0 { Sign::Positive } else { Sign::Negative });
+        let points: Vec<Spot> = samples.iter().map(|&sample| self.at(sample)).collect();
+        if points.len() < 2 {
+            return;
+        }
+        let zero = self.d.at(0.0);
+        let mut ring = points.clone();
+        ring.push([points[points.len() - 1][0], zero]);
+        ring.push([points[0][0], zero]);
+        self.drawing.put(Form::Area { rings: vec![ring], fill: colour.faded(0.16) }, self.event);
+        self.drawing.put(Form::Line { points, stroke: Stroke::solid(colour, 2.0) }, self.event);
+    }
+
+    /// The strip of signs under the plot.
+    fn strip(&mut self, signs: &[SignSpan]) {
+        let [left, right] = self.t.points;
+        let top = self.d.points[0] + 5.0;
+        for span in signs {
+            let end = |t: Option<f64>, open: f64| t.map_or(open, |t| self.t.at(t).clamp(left, right));
+            let (from, to) = (end(span.from, left), end(span.to, right));
+            let frame = Frame { low: [from, top], high: [to, top + STRIP] };
+            let colour = self.colour(span.sign);
+            self.drawing.put(Form::Rect { frame, fill: Some(colour.faded(0.85)), stroke: None }, self.event);
+            let (short, long) = match span.sign {
+                Sign::Positive => ("+", "+ outside"),
+                Sign::Negative => ("−", "− inside"),
+            };
+            for text in [long, short] {
+                let label = Label::new(text, SMALL, self.palette.ground).face(Face::Bold);
+                let text = label.at([(from + to) / 2.0, top + STRIP / 2.0], Anchor::Middle, None);
+                if text.frame().low[0] > from + 1.0 && self.placer.put_at(&mut self.drawing, text, Some(self.event)) {
+                    break;
+                }
+            }
+        }
+    }
+
+    fn roots(&mut self, roots: &[f64]) {
+        let zero = self.d.at(0.0);
+        for &root in roots.iter().filter(|root| self.t.shows(**root)) {
+            let x = self.t.at(root);
+            let stroke = Stroke::dashed(self.palette.faint, 1.0, [2.0, 3.0]);
+            self.drawing.put(Form::Line { points: vec![[x, zero], [x, self.d.points[0] + 5.0]], stroke }, self.event);
+            let rim = Some(Stroke::solid(self.palette.ground, 1.5));
+            let circle = Form::Circle { centre: [x, zero], radius: 4.5, fill: Some(self.palette.ink), stroke: rim };
+            self.drawing.put(circle, self.event);
+            self.placer.reserve(Frame { low: [x, zero], high: [x, zero] }.grown(5.0));
+        }
+        for &root in roots.iter().filter(|root| self.t.shows(**root)) {
+            let label = Label::new(format!("t = {}", brief(root)), TEXT, self.palette.ink).of(self.event);
+            self.placer.put_near(&mut self.drawing, [self.t.at(root), zero], 6.0, &label, self.palette);
+        }
+    }
+
+    /// Where the ray starts.
+    fn start(&mut self) {
+        if !self.t.shows(0.0) {
+            return;
+        }
+        let (x, [bottom, top]) = (self.t.at(0.0), self.d.points);
+        let stroke = Stroke::solid(self.palette.ink, 1.2);
+        self.drawing.put(Form::Line { points: vec![[x, top], [x, bottom]], stroke }, None);
+        let label = Label::new("the ray starts", SMALL, self.palette.ink);
+        for (side, anchor) in [(4.0, Anchor::Start), (-4.0, Anchor::End)] {
+            let text = label.at([x + side, top + 6.0], anchor, Some(self.palette.ground));
+            if self.placer.put_at(&mut self.drawing, text, None) {
+                return;
+            }
+        }
+    }
+
+    /// Numbers along both axes.
+    fn values(&mut self) {
+        for d in self.compression.ticks(&self.d) {
+            let y = self.d.at(self.compression.apply(d));
+            let label = Label::new(brief(d), SMALL, self.palette.faint);
+            let text = label.at([self.t.points[0] - 6.0, y], Anchor::End, None);
+            self.placer.put_at(&mut self.drawing, text, None);
+        }
+        let base = self.d.points[0] + 5.0 + STRIP;
+        let [left, right] = self.t.points;
+        let stroke = Stroke::solid(self.palette.faint, 1.0);
+        for tick in self.t.ticks((right - left) / 60.0) {
+            let x = self.t.at(tick);
+            self.drawing.put(Form::Line { points: vec![[x, base], [x, base + 4.0]], stroke }, None);
+            let label = Label::new(brief(tick), SMALL, self.palette.faint);
+            self.placer.put_at(&mut self.drawing, label.at([x, base + 12.0], Anchor::Middle, None), None);
+        }
+        let name = Label::new("t", TEXT, self.palette.faint);
+        self.placer.put_at(&mut self.drawing, name.at([left - 12.0, base + 12.0], Anchor::Middle, None), None);
+    }
+}

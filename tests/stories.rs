@@ -1,0 +1,154 @@
+//! What the embedded scenes promise to show is there to be seen.
+
+use rayscope::record::{Event, Operator, RayKind, What};
+use rayscope::scene::{Scene, embedded_scene, load};
+use rayscope::trace::{RayTree, record_pixel};
+
+fn scene(name: &str) -> Scene {
+    let embedded = embedded_scene(name).unwrap_or_else(|| panic!("no scene {name}"));
+    load(embedded.text, name).unwrap_or_else(|errors| panic!("{errors}"))
+}
+
+/// The trees of the pixels that the scene itself points out.
+fn telling_trees(scene: &Scene) -> Vec<RayTree> {
+    scene.pixels.iter().map(|[x, y]| record_pixel(scene, *x, *y)).collect()
+}
+
+fn count(tree: &RayTree, is: impl Fn(&What) -> bool) -> usize {
+    tree.events.iter().filter(|event| is(&event.what)).count()
+}
+
+fn hits(tree: &RayTree) -> Vec<&Event> {
+    tree.events.iter().filter(|event| matches!(event.what, What::Hit { .. })).collect()
+}
+
+#[test]
+fn the_first_level_of_every_pixel_is_the_six_steps() {
+    for embedded in rayscope::scene::embedded_scenes() {
+        for tree in telling_trees(&scene(&embedded.name)) {
+            let steps: Vec<u8> = tree
+                .children(0)
+                .map(|event| match event.what {
+                    What::Step { number, .. } => number,
+                    ref other => panic!("{}: {other:?} at the first level", embedded.name),
+                })
+                .collect();
+            assert_eq!(steps, [1, 2, 3, 4, 5, 6], "{}", embedded.name);
+        }
+    }
+}
+
+#[test]
+fn the_bowl_shows_three_primitives_three_lists_an_early_out_rejections_and_a_shadow_ray() {
+    let trees = telling_trees(&scene("csg/bowl"));
+    assert!(trees.len() >= 2, "§ 6.5.1 has two rays");
+    for tree in &trees {
+        assert!(count(tree, |what| matches!(what, What::Transform { .. })) >= 3);
+        assert!(count(tree, |what| matches!(what, What::Combine { operator: Operator::Difference, .. })) >= 2);
+        assert!(count(tree, |what| matches!(what, What::Light { .. })) >= 1);
+    }
+    let some_tree_has = |is: &dyn Fn(&What) -> bool| trees.iter().any(|tree| count(tree, is) > 0);
+    assert!(some_tree_has(&|what| matches!(what, What::Combine { early_out: Some(_), .. })));
+    assert!(some_tree_has(&|what| matches!(what, What::Rejected { t, .. } if *t > 0.0)));
+    assert!(some_tree_has(&|what| matches!(what, What::Ray { ray: RayKind::Shadow, .. })));
+}
+
+#[test]
+fn one_ray_hits_the_bowl_from_outside_and_one_passes_the_opening() {
+    let flipped: Vec<bool> = telling_trees(&scene("csg/bowl"))
+        .iter()
+        .map(|tree| {
+            let What::Hit { n_geometric, generic_point, .. } = &hits(tree)[0].what else { panic!("a hit") };
+            // On the subtracted inner sphere the outward normal of the bowl points to the sphere's centre.
+            n_geometric.iter().zip(generic_point).map(|(n, p)| n * p).sum::<f64>() < 0.0
+        })
+        .collect();
+    assert!(flipped.contains(&false) && flipped.contains(&true), "{flipped:?}");
+}
+
+#[test]
+fn the_fishbowl_bends_light_twice_on_the_way_into_the_water() {
+    let trees = telling_trees(&scene("optics/fishbowl"));
+    let goes_through = |tree: &RayTree| {
+        let indices: Vec<(f64, f64)> = tree
+            .events
+            .iter()
+            .filter_map(|event| match event.what {
+                What::Snell { n1, n2, .. } => Some((n1, n2)),
+                _ => None,
+            })
+            .collect();
+        indices.windows(2).any(|pair| pair[0].0 == 1.0 && pair[0].1 == pair[1].0 && pair[1].1 > 1.3 && pair[1].1 < 1.34)
+    };
+    assert!(trees.iter().any(goes_through), "air → glass → water");
+}
+
+#[test]
+fn the_glass_cube_reflects_totally_past_its_critical_angle() {
+    let mut seen = 0;
+    for tree in telling_trees(&scene("optics/glass_cube")) {
+        for event in &tree.events {
+            if let What::Snell { n1, n2, theta1, theta2, critical, total_internal_reflection: true, .. } = &event.what {
+                let expected = (n2 / n1).asin().to_degrees();
+                let critical = critical.expect("light comes from the denser side");
+                assert!((critical - expected).abs() < 1e-9);
+                assert!(*theta1 > critical && theta2.is_none());
+                seen += 1;
+            }
+        }
+    }
+    assert!(seen > 0);
+}
+
+#[test]
+fn mirrors_that_face_each_other_end_at_a_stated_limit() {
+    let trees = telling_trees(&scene("optics/mirrors"));
+    assert!(trees.iter().any(|tree| count(tree, |what| matches!(what, What::Limit { .. })) > 0));
+}
+
+#[test]
+fn the_same_overlap_is_reported_under_policy_1_and_decided_under_policy_2() {
+    let reported = |what: &What| matches!(what, What::Medium { interpenetration: true, .. });
+    let hidden = |what: &What| matches!(what, What::Medium { hidden: true, .. });
+    let forbid = telling_trees(&scene("optics/media_forbid"));
+    let priority = telling_trees(&scene("optics/media_priority"));
+    assert!(forbid.iter().any(|tree| count(tree, reported) > 0));
+    assert!(priority.iter().any(|tree| count(tree, hidden) > 0));
+    assert!(priority.iter().all(|tree| count(tree, reported) == 0));
+}
+
+#[test]
+fn the_components_of_every_hit_sum_to_its_colour() {
+    for embedded in rayscope::scene::embedded_scenes() {
+        for tree in telling_trees(&scene(&embedded.name)) {
+            for event in &tree.events {
+                if let What::Colour { ambient, diffuse, specular, reflected, transmitted, total } = event.what {
+                    for channel in 0..3 {
+                        let parts = [ambient, diffuse, specular, reflected, transmitted];
+                        let sum: f64 = parts.iter().map(|part| part[channel]).sum();
+                        assert!((sum - total[channel]).abs() <= 1e-12, "{}", embedded.name);
+                    }
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn hit_times_are_shared_by_world_and_generic_coordinates() {
+    for embedded in rayscope::scene::embedded_scenes() {
+        for tree in telling_trees(&scene(&embedded.name)) {
+            let mut transforms = tree.events.iter().filter_map(|event| match &event.what {
+                What::Transform { of, origin, direction, .. } => Some((of, origin, direction)),
+                _ => None,
+            });
+            let Some(hit) = hits(&tree).into_iter().next() else { continue };
+            let What::Hit { leaf, t, generic_point, .. } = &hit.what else { unreachable!() };
+            let (_, s, c) = transforms.find(|(of, _, _)| *of == leaf).expect("the hit leaf was transformed into");
+            for axis in 0..3 {
+                let at_t = s[axis] + c[axis] * t;
+                assert!((at_t - generic_point[axis]).abs() < 1e-9 * (1.0 + s[axis].abs()), "{}", embedded.name);
+            }
+        }
+    }
+}
