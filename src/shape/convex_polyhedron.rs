@@ -68,7 +68,9 @@ impl ConvexPolyhedron {
         }
         let edges = edges(&planes);
         let bounds = bounds(&edges);
-        let centre = edges.iter().map(|[a, b]| (*a + *b) * 0.5).sum::<DVec3>() / edges.len().max(1) as f64;
+        let shares =
+            edges.iter().map(|[a, b]| (*a + *b, 2.0)).fold((DVec3::ZERO, 0.0), |sum, x| (sum.0 + x.0, sum.1 + x.1));
+        let centre = shares.0 / shares.1;
         if edges.is_empty() || planes.iter().any(|plane| !surely_inside(plane, centre)) {
             return Err("the planes leave no solid: no point lies strictly inside all of them".to_owned());
         }
@@ -148,19 +150,19 @@ fn edges(planes: &[HalfSpace]) -> Vec<[DVec3; 2]> {
 }
 
 /// The line in which two planes meet, from its point nearest to the origin; none where they are parallel.
-fn meeting_line(a: &HalfSpace, b: &HalfSpace) -> Option<GenericRay<DoubleDouble>> {
+fn meeting_line(first: &HalfSpace, second: &HalfSpace) -> Option<GenericRay<DoubleDouble>> {
     let scaled = |plane: &HalfSpace| {
         let scale = scale_to_unit(plane.normal.to_array());
         (wide(plane.normal * scale), DoubleDouble::from_f64(plane.offset * scale))
     };
-    let ((n, d), (m, e)) = (scaled(a), scaled(b));
+    let ((n, d), (m, e)) = (scaled(first), scaled(second));
     let direction = cross(n, m);
     let length_squared = dot(direction, direction);
     if length_squared.to_f64() < DoubleDouble::UNIT_ROUNDOFF {
         return None;
     }
-    let (first, second) = (cross(m, direction), cross(direction, n));
-    let origin = std::array::from_fn(|k| (d * first[k] + e * second[k]) / length_squared);
+    let (by_first, by_second) = (cross(m, direction), cross(direction, n));
+    let origin = std::array::from_fn(|k| (d * by_first[k] + e * by_second[k]) / length_squared);
     Some(GenericRay { origin, direction, t_per_tau: 1.0 })
 }
 

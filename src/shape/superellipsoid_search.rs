@@ -153,7 +153,7 @@ pub(super) fn search<A: Real>(exponents: Exponents, ray: &GenericRay<A>) -> Find
     let mut start = Probe { sign: 1, ..search.probe(from, None) };
     for &(delta, axis) in &cuts[1..] {
         let mut end = search.probe(delta, axis);
-        if delta == to {
+        if delta >= to {
             end.sign = 1;
         }
         search.work_through(Stretch { from: start, to: end });

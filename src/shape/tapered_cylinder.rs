@@ -75,21 +75,21 @@ impl TaperedCylinder {
 
     /// The radius at height z.
     #[must_use]
-    pub fn radius(&self, z: f64) -> f64 {
+    pub fn radius(self, z: f64) -> f64 {
         1.0 + self.slope() * z
     }
 
-    fn slope(&self) -> f64 {
+    fn slope(self) -> f64 {
         self.s - 1.0
     }
 
     /// Finds where the ray goes in and out; none where rounding hides the answer.
-    fn solve<A: Real>(&self, ray: &GenericRay<A>) -> Option<Solution> {
+    fn solve<A: Real>(self, ray: &GenericRay<A>) -> Option<Solution> {
         let foot = ray.foot();
         let l = ray.at(foot);
         let wall = Wall::new(self.s, ray, l)?;
         let discs = Self::discs(ray);
-        let inside = match self.between_discs(ray, discs) {
+        let inside = match Self::between_discs(ray, discs) {
             None => None,
             Some(slab) => wall.clip(ray, foot, slab)?,
         };
@@ -112,7 +112,7 @@ impl TaperedCylinder {
     }
 
     /// The stretch between the planes of the discs; infinite ends for a ray that runs between them, none for a miss.
-    fn between_discs<A: Real>(&self, ray: &GenericRay<A>, discs: Option<[A; 2]>) -> Option<[End<A>; 2]> {
+    fn between_discs<A: Real>(ray: &GenericRay<A>, discs: Option<[A; 2]>) -> Option<[End<A>; 2]> {
         let end = |tau: A, part| End { tau, error: A::from_f64(4.0 * A::UNIT_ROUNDOFF) * tau.abs(), part };
         let infinity = A::from_f64(f64::INFINITY);
         match discs {
@@ -182,15 +182,11 @@ impl Primitive for TaperedCylinder {
     }
 
     fn equation(&self) -> String {
-        let radius = if self.s == 1.0 {
-            "1".to_owned()
-        } else if self.s == 0.0 {
-            "(1 − z)²".to_owned()
-        } else {
-            "(1 + (s − 1) z)²".to_owned()
+        let (radius, given) = match self.s {
+            1.0 => ("1", String::new()),
+            0.0 => ("(1 − z)²", String::new()),
+            s => ("(1 + (s − 1) z)²", format!(", s = {}", format_number(s))),
         };
-        let given =
-            if self.s == 0.0 || self.s == 1.0 { String::new() } else { format!(", s = {}", format_number(self.s)) };
         format!("max(x² + y² − {radius}, −z, z − 1){given}")
     }
 
@@ -205,7 +201,8 @@ const DISCS: [(HalfSpace, &str); 2] =
 
 impl TaperedCylinder {
     /// The wall's quadratic in the shared t, with its working.
-    fn working<A: Real>(&self, ray: &GenericRay<A>, solution: &Solution) -> Entry {
+    #[expect(clippy::many_single_char_names, reason = "the symbols of the head of the file")]
+    fn working<A: Real>(self, ray: &GenericRay<A>, solution: &Solution) -> Entry {
         let scale = ray.t_per_tau;
         let Quadratic { a, b, c, discriminant } = solution.wall;
         let (a, b, discriminant) = (a / scale / scale, b / scale, discriminant / scale / scale);
@@ -257,7 +254,7 @@ impl TaperedCylinder {
     }
 
     /// The times that were looked at and are not on the solid.
-    fn rejected<A: Real>(&self, ray: &GenericRay<A>, solution: &Solution, found: &[Crossing]) -> Vec<Candidate> {
+    fn rejected<A: Real>(self, ray: &GenericRay<A>, solution: &Solution, found: &[Crossing]) -> Vec<Candidate> {
         let [enters, leaves] = [Sense::Enter, Sense::Leave];
         let upward = ray.direction[2] > A::ZERO;
         let (base, cap) = if upward { (enters, leaves) } else { (leaves, enters) };
@@ -266,14 +263,16 @@ impl TaperedCylinder {
             solution.wall_roots.into_iter().flatten().zip([first, second]).map(|(tau, sense)| (tau, WALL, sense));
         let discs = solution.discs.into_iter().flat_map(|[b, c]| [(b, BASE, base), (c, CAP, cap)]);
         wall.chain(discs)
-            .filter(|(tau, part, _)| !found.iter().any(|hit| hit.part == *part && hit.t == tau * ray.t_per_tau))
-            .filter(|(tau, _, _)| (tau * ray.t_per_tau).is_finite())
-            .map(|hit| report::rejected(self, ray, hit, self.reason(ray.point(A::from_f64(hit.0)), hit.1)))
+            .filter(|&(tau, part, _)| {
+                let t = tau * ray.t_per_tau;
+                t.is_finite() && !found.iter().any(|hit| hit.part == part && hit.t.to_bits() == t.to_bits())
+            })
+            .map(|hit| report::rejected(&self, ray, hit, self.reason(ray.point(A::from_f64(hit.0)), hit.1)))
             .collect()
     }
 
     /// Why a point of the given part's surface is not on the solid.
-    fn reason(&self, point: DVec3, part: Part) -> String {
+    fn reason(self, point: DVec3, part: Part) -> String {
         let radius = point.truncate().length();
         let beyond = |limit: f64, name: &str| {
             format!("{} from the axis, beyond the {name}'s radius {}", format_number(radius), format_number(limit))

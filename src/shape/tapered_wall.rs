@@ -32,6 +32,7 @@ pub(super) struct Wall<A> {
 
 impl<A: Real> Wall<A> {
     /// The quadratic of the wall about the point `l` of the ray; none where rounding hides the sign of the discriminant.
+    #[expect(clippy::many_single_char_names, reason = "the symbols of the shape's own head")]
     pub fn new(s: f64, ray: &GenericRay<A>, l: [A; 3]) -> Option<Self> {
         let k = A::from_f64(s) - A::ONE;
         let [c_x, c_y, c_z] = ray.direction;

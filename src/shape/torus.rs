@@ -77,7 +77,7 @@ impl Torus {
         Err(format!("d is {d}; the distance from the axis to the middle of the tube needs to be more than 0"))
     }
 
-    fn terms<A: Real>(&self, ray: &GenericRay<A>, l: [A; 3]) -> Terms<A> {
+    fn terms<A: Real>(self, ray: &GenericRay<A>, l: [A; 3]) -> Terms<A> {
         let d = A::from_f64(self.d);
         let [c_x, c_y, _] = ray.direction;
         let u = A::UNIT_ROUNDOFF;
@@ -98,7 +98,7 @@ impl Torus {
     }
 
     /// Bound on the error of G(δ).
-    fn doubt<A: Real>(&self, terms: &Terms<A>, delta: A) -> f64 {
+    fn doubt<A: Real>(self, terms: &Terms<A>, delta: A) -> f64 {
         let u = A::UNIT_ROUNDOFF;
         let delta = delta.abs().to_f64();
         let [a, k, alpha, beta, gamma] =
@@ -110,7 +110,7 @@ impl Torus {
     }
 
     /// Solves about the foot; none where rounding hides how many roots there are.
-    fn solve<A: Real>(&self, ray: &GenericRay<A>) -> Option<Solution> {
+    fn solve<A: Real>(self, ray: &GenericRay<A>) -> Option<Solution> {
         let foot = ray.foot();
         let l = ray.at(foot);
         let terms = self.terms(ray, l);
@@ -135,7 +135,7 @@ impl Torus {
     }
 
     /// G as a quartic in δ. Its constant term is F times the other factor, for that cancels less.
-    fn quartic<A: Real>(&self, terms: &Terms<A>, l: [A; 3]) -> Quartic<A> {
+    fn quartic<A: Real>(self, terms: &Terms<A>, l: [A; 3]) -> Quartic<A> {
         let d = A::from_f64(self.d);
         let four_d_squared = A::from_f64(4.0) * d * d;
         let radius = terms.gamma.sqrt();
@@ -155,7 +155,7 @@ impl Torus {
     }
 
     /// The ends and the turning points of G with its signs; none where a sign is in doubt.
-    fn nodes<A: Real>(&self, quartic: &Quartic<A>, terms: &Terms<A>, end: A) -> Option<Vec<Node<A>>> {
+    fn nodes<A: Real>(self, quartic: &Quartic<A>, terms: &Terms<A>, end: A) -> Option<Vec<Node<A>>> {
         let mut nodes = Vec::with_capacity(7);
         nodes.push(Node { delta: -end, sign: 1 });
         for &delta in quartic.separators(-end, end).as_slice() {
@@ -179,7 +179,7 @@ impl Torus {
 
     /// Finds the roots of G between the nodes and tells boundaries from roots within the overlap of a spindle.
     fn sort_roots<A: Real>(
-        &self,
+        self,
         ray: &GenericRay<A>,
         quartic: &Quartic<A>,
         (foot, l): (A, [A; 3]),
@@ -208,7 +208,8 @@ impl Torus {
     }
 
     /// Two steps of Newton's method on F, not beyond `low` and `high`.
-    fn polish<A: Real>(&self, ray: &GenericRay<A>, l: [A; 3], start: A, low: A, high: A) -> A {
+    #[expect(clippy::many_single_char_names, reason = "the symbols of the head of the file")]
+    fn polish<A: Real>(self, ray: &GenericRay<A>, l: [A; 3], start: A, low: A, high: A) -> A {
         let d = A::from_f64(self.d);
         let [c_x, c_y, c_z] = ray.direction;
         let mut delta = start;
@@ -228,7 +229,7 @@ impl Torus {
 
     /// Whether a place with G > 0 lies in the overlap of a spindle: there both factors of G are negative, and so is their
     /// sum, 2 (|p|² + d² − 1).
-    fn in_overlap<A: Real>(&self, ray: &GenericRay<A>, l: [A; 3], delta: A) -> bool {
+    fn in_overlap<A: Real>(self, ray: &GenericRay<A>, l: [A; 3], delta: A) -> bool {
         let p = std::array::from_fn(|i| l[i] + ray.direction[i] * delta);
         self.d < 1.0 && dot(p, p) < A::ONE - A::from_f64(self.d) * A::from_f64(self.d)
     }
@@ -307,7 +308,7 @@ impl Primitive for Torus {
 
 impl Torus {
     /// The quartic in the shared t, with its working.
-    fn working<A: Real>(&self, ray: &GenericRay<A>, solution: &Solution) -> Entry {
+    fn working<A: Real>(self, ray: &GenericRay<A>, solution: &Solution) -> Entry {
         let scale = ray.t_per_tau;
         let mut power = 1.0;
         let coefficients = solution.coefficients.map(|coefficient| {
@@ -344,14 +345,14 @@ impl Torus {
             .line("c₀", "k² − 4 d² (l_x² + l_y²)", &bindings, c0)
     }
 
-    fn rejected<A: Real>(&self, ray: &GenericRay<A>, solution: &Solution) -> Vec<Candidate> {
+    fn rejected<A: Real>(self, ray: &GenericRay<A>, solution: &Solution) -> Vec<Candidate> {
         let senses = [Sense::Leave, Sense::Enter];
         let reason = "a root of the quartic, but F is negative on both sides: it lies where the tube overlaps itself";
         solution
             .hidden
             .iter()
             .zip(senses.into_iter().cycle())
-            .map(|(&tau, sense)| report::rejected(self, ray, (tau, 0, sense), reason.to_owned()))
+            .map(|(&tau, sense)| report::rejected(&self, ray, (tau, 0, sense), reason.to_owned()))
             .collect()
     }
 }
