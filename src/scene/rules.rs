@@ -166,7 +166,8 @@ fn choice(schemas: Vec<&Value>) -> Rule {
     if !rules.iter().all(|rule| matches!(rule, Rule::Record(_))) {
         return Rule::Either(rules);
     }
-    let records = rules.into_iter().filter_map(|rule| if let Rule::Record(record) = rule { Some(record) } else { None });
+    let records =
+        rules.into_iter().filter_map(|rule| if let Rule::Record(record) = rule { Some(record) } else { None });
     tagged_or_keyed(records.collect())
 }
 

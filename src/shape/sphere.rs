@@ -11,7 +11,7 @@
 //! ```
 //! **Equation** F = x² + y² + z² − 1.
 //!
-//! **Ray equation** With t measured from the foot of the perpendicular, t₀ = −S·c / c·c, and l = S + c t₀, the linear term
+//! **Ray equation** With t measured from the foot of the perpendicular, t₀ = −(S·c) / (c·c), and l = S + c t₀, the linear term
 //! is gone: c·c (t − t₀)² + l·l − 1 = 0. The hits lie at t₀ ± √(−C / A) with A = c·c and C = l·l − 1.
 //!
 //! **Accuracy** Without the foot the squares of a far S cancel, and digits are lost with the square of the distance. With
@@ -152,7 +152,7 @@ fn working<A: Real>(ray: &GenericRay<A>, chord: &Chord) -> Entry {
         recentred_at: foot,
         roots: roots.clone(),
     })
-    .line("t₀", "−S·c / c·c", &bindings, foot)
+    .line("t₀", "−(S·c) / (c·c)", &bindings, foot)
     .line("l", "S + c t₀", &bindings, chord.nearest)
     .line("A", "c·c", &bindings, a)
     .line("B", "c·l", &bindings, 0.0)

@@ -342,7 +342,7 @@ impl TaperedCylinder {
         let about = "the wall x² + y² = (1 + (s − 1) z)²".to_owned();
         let mut entry =
             Entry::new(What::Quadratic { about, a, b, c, discriminant, recentred_at: foot, roots: roots.clone() })
-                .line("t₀", "−S·c / c·c", &bindings, foot)
+                .line("t₀", "−(S·c) / (c·c)", &bindings, foot)
                 .line("l", "S + c t₀", &bindings, solution.nearest)
                 .line("w", "1 + (s − 1) l_z", &bindings, self.radius(z))
                 .line("d", "(s − 1) c_z", &bindings, self.slope() * c_z)

@@ -334,7 +334,7 @@ impl Torus {
         ];
         let [c0, c1, c2, c3, c4] = coefficients;
         Entry::new(What::Quartic { coefficients, recentred_at: foot, roots })
-            .line("t₀", "−S·c / c·c", &bindings, foot)
+            .line("t₀", "−(S·c) / (c·c)", &bindings, foot)
             .line("l", "S + c t₀", &bindings, solution.nearest)
             .line("k", "l·l + d² − 1", &bindings, k)
             .line("c₄", "(c·c)²", &bindings, c4)
