@@ -8,10 +8,14 @@ mod canvas;
 mod detail_panel;
 mod file_dialog;
 mod image_panel;
+mod layout;
 mod outline;
+mod overlay;
 mod panel;
+mod placement;
 mod plots_panel;
 mod problem;
+mod reading;
 mod recording;
 mod renderer;
 mod scene_menu;
@@ -25,10 +29,11 @@ mod tree_panel;
 mod window;
 mod workbench;
 
+pub use layout::Shares;
 pub use outline::Outline;
 pub use recording::{HitMark, Recording};
 pub use stepper::Step;
-pub use workbench::{OpenScene, Problem, Shares, Workbench};
+pub use workbench::{OpenScene, Problem, Workbench};
 
 /// Opens the workbench on the text of a scene and stays until its window is closed.
 ///

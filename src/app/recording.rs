@@ -91,11 +91,13 @@ impl Recording {
     #[must_use]
     pub fn plotted(&self) -> Plotted {
         let as_selected = Plotted { intervals: self.selected, signs: self.selected };
-        let (What::Hit { object, leaf, .. } | What::Rejected { object, leaf, .. }) = &self.tree.event(self.selected).what
+        let (What::Hit { object, leaf, .. } | What::Rejected { object, leaf, .. }) =
+            &self.tree.event(self.selected).what
         else {
             return as_selected;
         };
-        let is_object = |id: &EventId| matches!(&self.tree.event(*id).what, What::Object { name, .. } if name == object);
+        let is_object =
+            |id: &EventId| matches!(&self.tree.event(*id).what, What::Object { name, .. } if name == object);
         let Some(search) = (0..self.selected).rev().find(is_object) else { return as_selected };
         let is_leaf = |id: &EventId| matches!(&self.tree.event(*id).what, What::Primitive { name, .. } if name == leaf);
         let primitive = (search..self.tree.subtree_end(search)).find(is_leaf);
