@@ -11,78 +11,8 @@
 //! holds of g where n and m lie on one side of 1.
 
 use super::GenericRay;
+use super::gauge::{Bend, Exponents, norm, product};
 use crate::math::{DoubleDouble, Range, Real, root_between};
-
-/// n and m.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Exponents {
-    /// The exponent of x and y.
-    pub n: f64,
-    /// The exponent of z.
-    pub m: f64,
-}
-
-/// (uᵖ + vᵖ)^(1/p) for u, v ≥ 0, with its partial derivatives.
-///
-/// The larger one is taken out, so that nothing overflows. The derivatives at (0, 0) are undefined.
-fn norm<A: Real>(p: f64, u: A, v: A) -> (A, [A; 2]) {
-    let (most, least) = (u.max(v), u.min(v));
-    let ratio = least / most;
-    let power = ratio.powf(A::from_f64(p));
-    let sum = A::ONE + power;
-    let factor = sum.powf(A::from_f64(1.0) / A::from_f64(p));
-    let value = if most > A::ZERO { most * factor } else { A::ZERO };
-    let along_most = factor / sum;
-    // (least / value)^(p − 1); at least = 0 the limit.
-    let along_least = if ratio > A::ZERO {
-        along_most * power / ratio
-    } else if p < 1.0 {
-        A::from_f64(f64::INFINITY)
-    } else if p > 1.0 {
-        A::ZERO
-    } else {
-        along_most
-    };
-    (value, if u >= v { [along_most, along_least] } else { [along_least, along_most] })
-}
-
-impl Exponents {
-    /// g at a point with no negative coordinate, and its gradient.
-    pub fn gauge<A: Real>(&self, [x, y, z]: [A; 3]) -> (A, [A; 3]) {
-        let (radius, along) = norm(self.n, x, y);
-        let (value, [along_radius, along_z]) = norm(self.m, radius, z);
-        (value, [product(along_radius, along[0]), product(along_radius, along[1]), along_z])
-    }
-
-    /// Bound on the relative error of g: five roundings, magnified by the roots.
-    fn rounding<A: Real>(&self) -> f64 {
-        16.0 * A::UNIT_ROUNDOFF * (2.0 + 1.0 / self.n + 1.0 / self.m)
-    }
-
-    /// Whether g is convex or concave on a whole stretch, if either is known.
-    fn bend(&self) -> Bend {
-        if self.n >= 1.0 && self.m >= 1.0 {
-            Bend::Convex
-        } else if self.n <= 1.0 && self.m <= 1.0 {
-            Bend::Concave
-        } else {
-            Bend::Unknown
-        }
-    }
-}
-
-/// How g bends along a stretch.
-#[derive(Clone, Copy, PartialEq)]
-enum Bend {
-    Convex,
-    Concave,
-    Unknown,
-}
-
-/// Zero times infinity is zero: a direction that does not change a coordinate is not moved by it.
-fn product<A: Real>(a: A, b: A) -> A {
-    if a == A::ZERO || b == A::ZERO { A::ZERO } else { a * b }
-}
 
 /// What the search came to, in τ.
 pub(super) struct Findings {
@@ -223,7 +153,7 @@ pub(super) fn search<A: Real>(exponents: Exponents, ray: &GenericRay<A>) -> Find
     let mut start = Probe { sign: 1, ..search.probe(from, None) };
     for &(delta, axis) in &cuts[1..] {
         let mut end = search.probe(delta, axis);
-        if delta == to {
+        if delta >= to {
             end.sign = 1;
         }
         search.work_through(Stretch { from: start, to: end });

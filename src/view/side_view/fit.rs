@@ -4,10 +4,11 @@ use super::super::drawing::{Frame, Spot};
 use super::super::flights::{End, Flights};
 use super::SideViewOptions;
 use super::plane::PlaneView;
-use crate::record::{RayKind, What};
+use crate::record::{Event, RayKind, What};
 use crate::scene::Scene;
 use crate::trace::RayTree;
 use glam::DVec3;
+use std::collections::BTreeSet;
 
 /// Room for the caption above, the scale below, and labels at the sides, in points.
 const MARGINS: [f64; 4] = [34.0, 34.0, 40.0, 34.0];
@@ -40,17 +41,14 @@ pub(super) fn fit(
 /// The box of what should be seen, in the units of the world.
 fn content(plane: &PlaneView, scene: &Scene, tree: &RayTree, flights: &Flights) -> Frame {
     let mut seen = Gathered::default();
-    let mut hit_objects = Vec::new();
     for flight in flights.all.iter().filter(|flight| flight.kind != RayKind::Shadow) {
-        if let End::Hit { event, t } = flight.end {
+        if let End::Hit { t, .. } = flight.end {
             seen.add(plane.spot(flight.origin + flight.direction * t));
-            if let What::Hit { object, .. } = &tree.event(event).what {
-                hit_objects.push(object.as_str());
-            }
         }
     }
-    let all = hit_objects.is_empty();
-    for object in scene.objects.iter().filter(|object| all || hit_objects.contains(&object.name.as_str())) {
+    let crossed = crossed_objects(tree, flights);
+    let counts = |index: usize| crossed.is_empty() || crossed.contains(&index);
+    for (_, object) in scene.objects.iter().enumerate().filter(|(index, _)| counts(*index)) {
         let extent = object.solid.extent();
         if extent.low.is_finite() && extent.high.is_finite() {
             corners(extent.low, extent.high).for_each(|corner| seen.add(plane.spot(corner)));
@@ -64,6 +62,16 @@ fn content(plane: &PlaneView, scene: &Scene, tree: &RayTree, flights: &Flights) 
         seen.add(eye);
     }
     seen.frame.unwrap_or(hits)
+}
+
+/// The objects that some ray, shadow rays apart, is inside of somewhere.
+fn crossed_objects(tree: &RayTree, flights: &Flights) -> BTreeSet<usize> {
+    let not_shadow = |event: &&Event| flights.ray_of(event.id).kind != RayKind::Shadow;
+    let crossed = tree.events.iter().filter(not_shadow).filter_map(|event| match &event.what {
+        What::Object { index, intervals: 1.., .. } => Some(*index),
+        _ => None,
+    });
+    crossed.collect()
 }
 
 fn around(spot: Spot) -> Frame {

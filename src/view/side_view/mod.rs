@@ -7,6 +7,8 @@ mod plane;
 mod rays;
 mod section;
 mod solids;
+#[cfg(test)]
+mod tests;
 
 pub use plane::{PlaneView, SectionPlane};
 

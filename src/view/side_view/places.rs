@@ -77,12 +77,27 @@ impl SideView<'_> {
     }
 
     pub(super) fn dot(&mut self, at: Spot, radius: f64, colour: Colour, event: EventId) {
-        if event == self.step {
+        if event == self.step || self.is_about(event) {
             self.ring(at, event);
         }
         let rim = Some(Stroke::solid(self.palette.ground, 1.5));
         self.drawing.put(Form::Circle { centre: at, radius, fill: Some(colour), stroke: rim }, event);
         self.placer.avoid_spot(at, radius);
+    }
+
+    /// Whether the current step tells of what light does at this hit.
+    fn is_about(&self, hit: EventId) -> bool {
+        let at_a_hit = matches!(
+            self.tree.event(self.step).what,
+            What::Ambient { .. }
+                | What::Light { .. }
+                | What::Reflection { .. }
+                | What::Snell { .. }
+                | What::Medium { .. }
+                | What::Limit { .. }
+                | What::Colour { .. }
+        );
+        at_a_hit && matches!(self.current().end, End::Hit { event, .. } if event == hit)
     }
 
     /// Says: this is what the current step is about.
@@ -137,7 +152,8 @@ impl SideView<'_> {
                 _ => None,
             })
             .collect();
-        let mut labelled: Vec<Spot> = Vec::new();
+        // The place that the ray left is on its own surface again; its t of nearly 0 says nothing.
+        let mut labelled: Vec<Spot> = vec![self.plane.spot(flight.origin)];
         for (event, t, reason) in rejected {
             let at = self.spot_at(&flight, t);
             if !self.drawing.frame().contains(at) {

@@ -16,7 +16,7 @@ impl SideView<'_> {
         self.highlight();
         let current = self.flights.owner(self.step);
         for (index, flight) in self.flights.all.iter().enumerate() {
-            if self.has_happened(flight.event) || index == 0 {
+            if self.has_happened(flight.event) {
                 let width = match (index == current, self.is_near(flight)) {
                     (true, _) => 2.4,
                     (false, true) => 1.6,
@@ -191,6 +191,7 @@ impl SideView<'_> {
         let flight = self.flights.all[0].clone();
         let at = self.plane.spot(flight.origin);
         let is_camera = flight.origin == self.scene.camera.eye;
+        let event = Some(flight.event).filter(|event| self.has_happened(*event));
         let name = if is_camera { "eye" } else { "start" };
         if self.drawing.frame().contains(at) {
             if is_camera {
@@ -198,11 +199,11 @@ impl SideView<'_> {
             }
             let rim = Some(Stroke::solid(self.palette.ink, 1.6));
             let fill = Some(self.palette.ground);
-            self.drawing.put(Form::Circle { centre: at, radius: 5.0, fill, stroke: rim }, flight.event);
+            self.drawing.put(Form::Circle { centre: at, radius: 5.0, fill, stroke: rim }, event);
             let fill = Some(self.palette.ink);
-            self.drawing.put(Form::Circle { centre: at, radius: 2.0, fill, stroke: None }, flight.event);
+            self.drawing.put(Form::Circle { centre: at, radius: 2.0, fill, stroke: None }, event);
             self.placer.avoid_spot(at, 6.0);
-            self.label_later(at, 8.0, Label::new(name, TEXT, self.palette.ink).of(flight.event));
+            self.label_later(at, 8.0, Label { event, ..Label::new(name, TEXT, self.palette.ink) });
         } else if let Some([entry, _]) = self.visible(&flight, 0.0, f64::INFINITY) {
             let distance = length([entry[0] - at[0], entry[1] - at[1]]) / self.plane.scale;
             let frame = self.drawing.frame().grown(-14.0);

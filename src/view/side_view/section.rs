@@ -19,7 +19,7 @@ pub(super) struct Section {
     pub rings: Vec<Vec<Spot>>,
     /// Lines round it; rings alone would also show the seams between chains.
     pub outline: Vec<Vec<Spot>>,
-    /// The middle of its widest run, with the run's length: where a name has room.
+    /// The middle of a wide run, with the run's length: where a name has room.
     pub middle: Option<(Spot, f64)>,
 }
 
@@ -58,7 +58,8 @@ struct Chain {
 /// The section of a solid within the canvas.
 pub(super) fn section(solid: &Solid, plane: &PlaneView, canvas: Frame) -> Section {
     let canvas = canvas.grown(OUTSIDE);
-    let mut sweep = Sweep { solid, plane, canvas, chains: Vec::new(), open: Vec::new(), section: Section::default() };
+    let (chains, open, middles, section) = Default::default();
+    let mut sweep = Sweep { solid, plane, canvas, chains, open, middles, section };
     let [top, bottom] = sweep.heights();
     if top >= bottom {
         return sweep.section;
@@ -80,6 +81,8 @@ struct Sweep<'a> {
     chains: Vec<Chain>,
     /// The chain of each run of the row that was connected last.
     open: Vec<usize>,
+    /// Middle and length of every run.
+    middles: Vec<(Spot, f64)>,
     section: Section,
 }
 
@@ -118,10 +121,19 @@ impl Sweep<'_> {
     }
 
     fn note_middle(&mut self, [from, to]: [f64; 2], y: f64) {
-        let (from, to) = (from.max(self.canvas.low[0] + OUTSIDE), to.min(self.canvas.high[0] - OUTSIDE));
-        if self.section.middle.is_none_or(|(_, length)| to - from > length) {
-            self.section.middle = Some((([(from + to) / 2.0, y]), to - from));
+        let visible = self.canvas.grown(-OUTSIDE);
+        let (from, to) = (from.max(visible.low[0]), to.min(visible.high[0]));
+        if from < to && visible.low[1] < y && y < visible.high[1] {
+            self.middles.push(([(from + to) / 2.0, y], to - from));
         }
+    }
+
+    /// Of the runs that are nearly as long as the longest, the one in the middle.
+    fn middle(&self) -> Option<(Spot, f64)> {
+        let longest = self.middles.iter().map(|(_, length)| *length).fold(0.0, f64::max);
+        let mut wide: Vec<_> = self.middles.iter().filter(|(_, length)| *length >= 0.85 * longest).collect();
+        wide.sort_by(|a, b| a.0[1].total_cmp(&b.0[1]));
+        wide.get(wide.len() / 2).map(|middle| **middle)
     }
 
     fn connect(&mut self, upper: &Row, lower: &Row, halvings: u32) {
@@ -178,6 +190,7 @@ impl Sweep<'_> {
     }
 
     fn finish(mut self) -> Section {
+        self.section.middle = self.middle();
         for chain in self.chains.into_iter().filter(|chain| chain.left.len() > 1) {
             let (left, right) = (thinned(&chain.left), thinned(&chain.right));
             self.section.rings.push(left.iter().chain(right.iter().rev()).copied().collect());
