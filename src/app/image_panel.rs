@@ -1,25 +1,18 @@
 //! The picture: hover to read a pixel, click to record it, arrow keys to go to its neighbours.
 
-use super::recording::{HitMark, Recording};
-use super::theme::{Palette, colour};
-use crate::record::{Counter, Entry, NullRecorder, RayKind, Recorder, What, format_number};
-use crate::scene::{Rgb, Scene};
-use crate::trace::{srgb, trace_pixel};
+use super::overlay::{draw_crosshair, draw_hits};
+use super::placement::Placement;
+use super::reading::Reading;
+use super::recording::Recording;
+use super::theme::Palette;
+use crate::scene::Scene;
 use egui::{
-    Color32, EventFilter, Key, Painter, Pos2, Rect, Response, Role, Sense, Stroke, StrokeKind, TextureHandle, Ui, Vec2,
+    Color32, EventFilter, Key, Pos2, Rect, Response, Role, Sense, Stroke, StrokeKind, TextureHandle, Ui, Vec2,
     WidgetInfo, pos2, vec2,
 };
 
 /// Height of the line below the picture that reads the pixel under the pointer.
 const READOUT: f32 = 26.0;
-
-/// The pixel under the pointer, as traced.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Reading {
-    pixel: [u32; 2],
-    linear: Rgb,
-    object: Option<String>,
-}
 
 /// What the picture's panel remembers between frames.
 #[derive(Debug, Default)]
@@ -82,16 +75,16 @@ impl ImagePanel {
 
     fn read(&mut self, scene: &Scene, hovered: Option<[u32; 2]>) {
         if self.reading.as_ref().map(|reading| reading.pixel) != hovered {
-            self.reading = hovered.map(|pixel| read_pixel(scene, pixel));
+            self.reading = hovered.map(|pixel| Reading::of(scene, pixel));
         }
     }
 
-    /// `(310, 240) · bowl · linear (0.5, 0.2, 0.1) · sRGB 188, 124, 89`.
+    /// The line below the picture.
     fn readout(&self, ui: &mut Ui, line: Rect, view: &ImageView) {
         let palette = Palette::current(ui.ctx());
         let focused = view.recording.map(|recording| recording.pixel);
         let (text, swatch) = match (&self.reading, focused) {
-            (Some(reading), _) => (describe(reading), Some(srgb(reading.linear))),
+            (Some(reading), _) => (reading.text(), Some(reading.srgb())),
             (None, Some([x, y])) => {
                 (format!("Pixel ({x}, {y}) is recorded. Click another, or use the arrow keys."), None)
             }
@@ -108,54 +101,6 @@ impl ImagePanel {
         let label = egui::Label::new(egui::RichText::new(text).size(12.0).color(palette.weak)).truncate();
         let builder = egui::UiBuilder::new().max_rect(place).layout(egui::Layout::left_to_right(egui::Align::Center));
         ui.scope_builder(builder, |ui| ui.add(label));
-    }
-}
-
-fn describe(reading: &Reading) -> String {
-    let [x, y] = reading.pixel;
-    let [r, g, b] = srgb(reading.linear);
-    let linear = reading.linear.to_array().map(format_number).join(", ");
-    let object = reading.object.as_deref().unwrap_or("background");
-    format!("({x}, {y}) · {object} · linear {linear} · sRGB {r}, {g}, {b}")
-}
-
-/// Where the picture lies on screen.
-struct Placement {
-    rect: Rect,
-    size: [u32; 2],
-}
-
-impl Placement {
-    /// The largest picture that fits, in whole screen pixels per pixel if that costs no more than a fifth of its size.
-    fn fit(scene: &Scene, room: Rect, pixels_per_point: f32) -> Self {
-        let size = [scene.image.width, scene.image.height];
-        let points = vec2(size[0] as f32, size[1] as f32) / pixels_per_point;
-        let largest = (room.width() / points.x).min(room.height() / points.y).max(0.0);
-        let whole = largest.floor();
-        let scale = if whole >= 0.8 * largest && whole >= 1.0 { whole } else { largest };
-        let min = room.center() - points * scale / 2.0;
-        let min = pos2((min.x * pixels_per_point).round(), (min.y * pixels_per_point).round()) / pixels_per_point;
-        Self { rect: Rect::from_min_size(min, points * scale), size }
-    }
-
-    /// The corner of a picture's pixel on screen; continuous, so that (0.5, 0.5) is the middle of the first.
-    fn on_screen(&self, [x, y]: [f64; 2]) -> Pos2 {
-        #[expect(clippy::cast_possible_truncation, reason = "screen coordinates are f32")]
-        let share = vec2(x as f32 / self.size[0] as f32, y as f32 / self.size[1] as f32);
-        self.rect.min + share * self.rect.size()
-    }
-
-    fn pixel_rect(&self, [x, y]: [u32; 2]) -> Rect {
-        let (x, y) = (f64::from(x), f64::from(y));
-        Rect::from_min_max(self.on_screen([x, y]), self.on_screen([x + 1.0, y + 1.0]))
-    }
-
-    fn pixel_at(&self, position: Pos2) -> Option<[u32; 2]> {
-        let share = (position - self.rect.min) / self.rect.size();
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "inside the picture, see below")]
-        let pixel = [(share.x * self.size[0] as f32) as u32, (share.y * self.size[1] as f32) as u32];
-        let inside = share.x >= 0.0 && share.y >= 0.0 && pixel[0] < self.size[0] && pixel[1] < self.size[1];
-        inside.then_some(pixel)
     }
 }
 
@@ -185,108 +130,4 @@ fn chosen(ui: &Ui, response: &Response, place: &Placement, recorded: Option<[u32
         [moved(x, Key::ArrowLeft, Key::ArrowRight, width), moved(y, Key::ArrowUp, Key::ArrowDown, height)]
     });
     (pixel != [x, y]).then_some(pixel)
-}
-
-/// Light on dark, so that it is seen on any colour, and open in the middle, so that the pixel itself is seen.
-fn draw_crosshair(painter: &Painter, pixel: Rect, picture: Rect) {
-    let painter = painter.with_clip_rect(painter.clip_rect().intersect(picture.expand(12.0)));
-    let frame = pixel.expand(2.0);
-    let arms = [
-        (vec2(frame.left() - 14.0, pixel.center().y), vec2(frame.left() - 3.0, pixel.center().y)),
-        (vec2(frame.right() + 3.0, pixel.center().y), vec2(frame.right() + 14.0, pixel.center().y)),
-        (vec2(pixel.center().x, frame.top() - 14.0), vec2(pixel.center().x, frame.top() - 3.0)),
-        (vec2(pixel.center().x, frame.bottom() + 3.0), vec2(pixel.center().x, frame.bottom() + 14.0)),
-    ];
-    for (width, ink) in [(3.5, Color32::from_black_alpha(200)), (1.5, Color32::WHITE)] {
-        let stroke = Stroke::new(width, ink);
-        for (from, to) in arms {
-            painter.line_segment([from.to_pos2(), to.to_pos2()], stroke);
-        }
-        painter.rect_stroke(frame, 1.0, stroke, StrokeKind::Middle);
-    }
-}
-
-/// The hits up to the selected event, and the spawned rays that led to them, as the camera sees them.
-fn draw_hits(painter: &Painter, scene: &Scene, place: &Placement, recording: &Recording) {
-    let seen = |point| scene.camera.project(scene.image, point).map(|pixel| place.on_screen(pixel));
-    let painter = painter.with_clip_rect(painter.clip_rect().intersect(place.rect));
-    for HitMark { event, kind, from, point } in &recording.hits {
-        if *event > recording.selected() {
-            break;
-        }
-        let Some(at) = seen(*point) else { continue };
-        if let Some(from) = from.and_then(seen) {
-            painter.line_segment([from, at], Stroke::new(3.0, Color32::from_black_alpha(150)));
-            painter.line_segment([from, at], Stroke::new(1.5, ray_colour(*kind)));
-        }
-        if *kind != RayKind::Camera {
-            painter.circle(at, 3.5, ray_colour(*kind), Stroke::new(1.0, Color32::from_black_alpha(200)));
-        }
-    }
-}
-
-/// Rays have the colours of the drawings on dark ground: with a dark rim they are seen on any colour.
-fn ray_colour(kind: RayKind) -> Color32 {
-    let palette = crate::view::Theme::Dark.palette();
-    colour(match kind {
-        RayKind::Camera => palette.camera,
-        RayKind::Reflected => palette.reflected,
-        RayKind::Refracted => palette.refracted,
-        RayKind::Shadow => palette.shadow,
-    })
-}
-
-fn read_pixel(scene: &Scene, pixel: [u32; 2]) -> Reading {
-    let mut listener = FirstHit::default();
-    let _ = trace_pixel(scene, pixel[0], pixel[1], &mut listener);
-    let linear = trace_pixel(scene, pixel[0], pixel[1], &mut NullRecorder);
-    Reading { pixel, linear, object: listener.object }
-}
-
-/// Listens for the name of the object that is seen, and to nothing after it.
-#[derive(Default)]
-struct FirstHit {
-    object: Option<String>,
-    decided: bool,
-}
-
-impl Recorder for FirstHit {
-    const RECORDING: bool = true;
-
-    fn begin(&mut self) {}
-
-    fn end(&mut self, describe: impl FnOnce() -> Entry) {
-        if self.decided {
-            return;
-        }
-        match describe().what {
-            What::Hit { object, .. } => (self.object, self.decided) = (Some(object), true),
-            What::Nothing { .. } => self.decided = true,
-            _ => {}
-        }
-    }
-
-    fn count(&mut self, _counter: Counter) {}
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn place() -> Placement {
-        Placement { rect: Rect::from_min_size(pos2(10.0, 20.0), vec2(40.0, 20.0)), size: [4, 2] }
-    }
-
-    #[test]
-    fn a_point_on_screen_belongs_to_the_pixel_drawn_there() {
-        assert_eq!(place().pixel_at(pos2(10.0, 20.0)), Some([0, 0]));
-        assert_eq!(place().pixel_at(pos2(49.9, 39.9)), Some([3, 1]));
-        assert_eq!(place().pixel_at(pos2(9.9, 30.0)), None);
-        assert_eq!(place().pixel_at(pos2(30.0, 40.1)), None);
-    }
-
-    #[test]
-    fn a_pixel_covers_its_share_of_the_picture() {
-        assert_eq!(place().pixel_rect([1, 1]), Rect::from_min_max(pos2(20.0, 30.0), pos2(30.0, 40.0)));
-    }
 }

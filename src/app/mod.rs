@@ -8,10 +8,14 @@ mod canvas;
 mod detail_panel;
 mod file_dialog;
 mod image_panel;
+mod layout;
 mod outline;
+mod overlay;
 mod panel;
+mod placement;
 mod plots_panel;
 mod problem;
+mod reading;
 mod recording;
 mod renderer;
 mod scene_menu;
@@ -25,10 +29,11 @@ mod tree_panel;
 mod window;
 mod workbench;
 
+pub use layout::Shares;
 pub use outline::Outline;
 pub use recording::{HitMark, Recording};
 pub use stepper::Step;
-pub use workbench::{OpenScene, Problem, Shares, Workbench};
+pub use workbench::{OpenScene, Problem, Workbench};
 
 /// Opens the workbench on the text of a scene and stays until its window is closed.
 ///
@@ -41,7 +46,7 @@ pub fn run(name: &str, text: String) -> Result<(), String> {
     if !has_display() {
         return Err(without_display("there is no display"));
     }
-    window::open(name, text).map_err(|error| without_display(&one_line(&error.to_string())))
+    window::open(name, text).map_err(|error| without_display(&none_opened(&error.to_string())))
 }
 
 /// Elsewhere than on Unix desktops a display is taken for granted.
@@ -56,8 +61,10 @@ fn without_display(why: &str) -> String {
     )
 }
 
-fn one_line(text: &str) -> String {
-    text.split_whitespace().collect::<Vec<_>>().join(" ")
+/// What the system said, on one line and without the places in source files that libraries put before it.
+fn none_opened(error: &str) -> String {
+    let reason = error.rsplit(": ").next().unwrap_or(error);
+    format!("none could be opened ({})", reason.split_whitespace().collect::<Vec<_>>().join(" "))
 }
 
 #[cfg(test)]
@@ -66,7 +73,8 @@ mod tests {
 
     #[test]
     fn without_a_display_one_line_names_the_way_out() {
-        let message = without_display(&one_line("cannot\n  connect"));
+        let message = without_display(&none_opened("os error at linux/mod.rs:788: cannot\n  connect"));
+        assert!(!message.contains("mod.rs"));
         assert!(!message.contains('\n'));
         assert!(message.contains("cannot connect") && message.contains("rayscope trace"));
     }

@@ -102,14 +102,7 @@ struct Shown {
     clicked: Option<EventId>,
 }
 
-fn show(
-    ui: &Ui,
-    canvas: &mut Canvas<Key>,
-    plot: Plot,
-    recording: &Recording,
-    selected: EventId,
-    rect: Rect,
-) -> Shown {
+fn show(ui: &Ui, canvas: &mut Canvas<Key>, plot: Plot, recording: &Recording, selected: EventId, rect: Rect) -> Shown {
     let inside = rect.shrink(4.0);
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a panel is a few thousand points")]
     let size = [inside.width().max(1.0) as u32, inside.height().max(1.0) as u32];

@@ -91,11 +91,13 @@ impl Recording {
     #[must_use]
     pub fn plotted(&self) -> Plotted {
         let as_selected = Plotted { intervals: self.selected, signs: self.selected };
-        let (What::Hit { object, leaf, .. } | What::Rejected { object, leaf, .. }) = &self.tree.event(self.selected).what
+        let (What::Hit { object, leaf, .. } | What::Rejected { object, leaf, .. }) =
+            &self.tree.event(self.selected).what
         else {
             return as_selected;
         };
-        let is_object = |id: &EventId| matches!(&self.tree.event(*id).what, What::Object { name, .. } if name == object);
+        let is_object =
+            |id: &EventId| matches!(&self.tree.event(*id).what, What::Object { name, .. } if name == object);
         let Some(search) = (0..self.selected).rev().find(is_object) else { return as_selected };
         let is_leaf = |id: &EventId| matches!(&self.tree.event(*id).what, What::Primitive { name, .. } if name == leaf);
         let primitive = (search..self.tree.subtree_end(search)).find(is_leaf);
@@ -129,4 +131,47 @@ fn ray_above(tree: &RayTree, id: EventId) -> (RayKind, Option<DVec3>) {
         _ => None,
     });
     spawned.unwrap_or((RayKind::Camera, None))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::{embedded_scene, load};
+
+    fn bowl() -> Recording {
+        let embedded = embedded_scene("csg/bowl").expect("the bowl is embedded");
+        let scene = load(embedded.text, &embedded.name).expect("embedded scenes have no errors");
+        Recording::new(&scene, scene.pixels[0])
+    }
+
+    #[test]
+    fn the_plots_of_a_hit_are_those_of_the_object_and_the_primitive_that_were_hit() {
+        let mut recording = bowl();
+        recording.select_outcome();
+        let What::Hit { object, leaf, .. } = recording.tree.event(recording.selected()).what.clone() else {
+            panic!("the first of the bowl's pixels shows the bowl");
+        };
+        let Plotted { intervals, signs } = recording.plotted();
+        assert!(matches!(&recording.tree.event(intervals).what, What::Object { name, .. } if *name == object));
+        assert!(matches!(&recording.tree.event(signs).what, What::Primitive { name, .. } if *name == leaf));
+    }
+
+    #[test]
+    fn the_first_hit_is_the_camera_rays_and_all_hits_are_in_order() {
+        let recording = bowl();
+        assert_eq!((recording.hits[0].kind, recording.hits[0].from), (RayKind::Camera, None));
+        assert!(recording.hits.is_sorted_by_key(|hit| hit.event));
+    }
+
+    #[test]
+    fn a_selected_event_always_has_a_row() {
+        let mut recording = bowl();
+        for id in [recording.tree.end() - 1, 20, 0] {
+            recording.select(id);
+            assert!(recording.outline.row_of(id).is_some());
+        }
+        recording.select(20);
+        recording.set_open(0, false);
+        assert_eq!(recording.selected(), 0);
+    }
 }

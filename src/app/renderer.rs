@@ -105,3 +105,35 @@ fn publish(latest: &Mutex<Latest>, picture: &Picture, finished: bool) {
 fn lock(latest: &Mutex<Latest>) -> std::sync::MutexGuard<'_, Latest> {
     latest.lock().unwrap_or_else(PoisonError::into_inner)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::{embedded_scenes, load};
+
+    fn scene() -> Arc<Scene> {
+        let embedded = embedded_scenes().swap_remove(0);
+        Arc::new(load(embedded.text, &embedded.name).expect("embedded scenes have no errors"))
+    }
+
+    #[test]
+    fn starting_another_scene_cancels_the_one_before() {
+        let ctx = Context::default();
+        let mut renderer = Renderer::default();
+        renderer.start(&ctx, &scene());
+        let before = Arc::clone(&renderer.job.as_ref().expect("it runs").progress);
+        assert!(!before.cancelled());
+        renderer.start(&ctx, &scene());
+        assert!(before.cancelled());
+        assert!(!renderer.finished());
+    }
+
+    #[test]
+    fn closing_the_workbench_cancels_the_picture() {
+        let mut renderer = Renderer::default();
+        renderer.start(&Context::default(), &scene());
+        let progress = Arc::clone(&renderer.job.as_ref().expect("it runs").progress);
+        drop(renderer);
+        assert!(progress.cancelled());
+    }
+}

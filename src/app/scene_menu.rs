@@ -4,6 +4,9 @@ use super::theme::Palette;
 use crate::scene::{embedded_scenes, load};
 use egui::{RichText, ScrollArea, Ui};
 
+/// Height of the list, in points.
+const HEIGHT: f32 = 560.0;
+
 /// What was chosen in the menu.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Choice {
@@ -42,7 +45,7 @@ impl SceneMenu {
         let mut chosen = None;
         let button = ui.menu_button(format!("Scene: {current}  ⏷"), |ui| {
             ui.set_min_width(360.0);
-            ScrollArea::vertical().max_height(520.0).show(ui, |ui| {
+            ScrollArea::vertical().max_height(HEIGHT).min_scrolled_height(HEIGHT).show(ui, |ui| {
                 chosen = self.list(ui, current);
             });
         });

@@ -17,11 +17,21 @@ const ZOOM_RANGE: std::ops::RangeInclusive<f64> = 0.05..=500.0;
 /// How far from a mark a click still counts, in points. Less makes thin lines hard to hit.
 const REACH: f64 = 5.0;
 
+/// Which part of the drawing is seen.
+#[derive(Clone, Copy, PartialEq)]
+struct Sight {
+    zoom: f64,
+    pan: [f64; 2],
+}
+
+impl Sight {
+    const WHOLE: Self = Self { zoom: 1.0, pan: [0.0; 2] };
+}
+
 /// The side view with its pan and zoom.
 pub struct SidePanel {
     plane: SectionPlane,
-    zoom: f64,
-    pan: [f64; 2],
+    sight: Sight,
     canvas: Canvas<Key>,
 }
 
@@ -34,14 +44,13 @@ struct Key {
     plane: SectionPlane,
     theme: Theme,
     size: [u32; 2],
-    zoom: f64,
-    pan: [f64; 2],
+    sight: Sight,
     pixels_per_point: f32,
 }
 
 impl PartialEq for Key {
     fn eq(&self, other: &Self) -> bool {
-        let rest = |key: &Self| (key.step, key.plane, key.theme, key.size, key.zoom, key.pan, key.pixels_per_point);
+        let rest = |key: &Self| (key.step, key.plane, key.theme, key.size, key.sight, key.pixels_per_point);
         Arc::ptr_eq(&self.scene, &other.scene) && Arc::ptr_eq(&self.tree, &other.tree) && rest(self) == rest(other)
     }
 }
@@ -52,8 +61,8 @@ impl Key {
             size: self.size.map(f64::from),
             theme: self.theme,
             plane: self.plane,
-            zoom: self.zoom,
-            pan: self.pan,
+            zoom: self.sight.zoom,
+            pan: self.sight.pan,
         };
         side_view(&self.scene, &self.tree, self.step, &options)
     }
@@ -61,19 +70,19 @@ impl Key {
 
 impl Default for SidePanel {
     fn default() -> Self {
-        Self { plane: SectionPlane::RayAndUp, zoom: 1.0, pan: [0.0; 2], canvas: Canvas::default() }
+        Self { plane: SectionPlane::RayAndUp, sight: Sight::WHOLE, canvas: Canvas::default() }
     }
 }
 
 impl SidePanel {
     /// Shows the whole scene again.
     pub fn fit(&mut self) {
-        (self.zoom, self.pan) = (1.0, [0.0; 2]);
+        self.sight = Sight::WHOLE;
     }
 
     /// The choice of the plane and the zoom, for the panel's header (right to left).
     pub fn tools(&mut self, ui: &mut Ui) {
-        let fitted = self.zoom == 1.0 && self.pan == [0.0; 2];
+        let fitted = self.sight == Sight::WHOLE;
         let fit = ui.add_enabled(!fitted, egui::Button::new("Fit"));
         if fit.on_hover_text("Show the whole scene again. Drag to move, turn the wheel to zoom.").clicked() {
             self.fit();
@@ -123,34 +132,33 @@ impl SidePanel {
             plane: self.plane,
             theme: drawing_theme(ui.ctx()),
             size,
-            zoom: self.zoom,
-            pan: self.pan,
+            sight: self.sight,
             pixels_per_point: ui.pixels_per_point(),
         }
     }
 
     fn pan_and_zoom(&mut self, ui: &Ui, response: &Response, rect: Rect) {
         let dragged = response.drag_delta();
-        self.pan[0] += f64::from(dragged.x);
-        self.pan[1] += f64::from(dragged.y);
+        let Sight { zoom: before, pan: [x, y] } = self.sight;
+        let pan = [x + f64::from(dragged.x), y + f64::from(dragged.y)];
+        self.sight.pan = pan;
         let Some(pointer) = response.hover_pos() else { return };
         let (scroll, pinch) = ui.input(|input| (input.smooth_scroll_delta.y, input.zoom_delta()));
         let factor = f64::from(pinch) * (f64::from(scroll) / 200.0).exp();
-        let zoom = (self.zoom * factor).clamp(*ZOOM_RANGE.start(), *ZOOM_RANGE.end());
+        let zoom = (before * factor).clamp(*ZOOM_RANGE.start(), *ZOOM_RANGE.end());
         // What lies under the pointer stays there.
         let from_middle = pointer - rect.center();
         let at = [f64::from(from_middle.x), f64::from(from_middle.y)];
-        self.pan = std::array::from_fn(|i| at[i] + (self.pan[i] - at[i]) * zoom / self.zoom);
-        self.zoom = zoom;
+        self.sight = Sight { zoom, pan: std::array::from_fn(|i| at[i] + (pan[i] - at[i]) * zoom / before) };
     }
 }
 
 /// Where a drawing made for `then` belongs now.
 fn moved(rect: Rect, then: &Key, now: &Key) -> Rect {
     #[expect(clippy::cast_possible_truncation, reason = "screen coordinates are f32")]
-    let scale = (now.zoom / then.zoom) as f32;
+    let scale = (now.sight.zoom / then.sight.zoom) as f32;
     #[expect(clippy::cast_possible_truncation, reason = "screen coordinates are f32")]
-    let pan = |key: &Key| vec2(key.pan[0] as f32, key.pan[1] as f32);
+    let pan = |key: &Key| vec2(key.sight.pan[0] as f32, key.sight.pan[1] as f32);
     let size = Vec2::from(then.size.map(|points| points as f32)) * scale;
     let middle = rect.min + Vec2::from(now.size.map(|points| points as f32)) / 2.0;
     Rect::from_center_size(middle + pan(now) - pan(then) * scale, size)

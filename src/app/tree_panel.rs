@@ -34,7 +34,11 @@ pub fn ui(ui: &mut Ui, recording: Option<&mut Recording>) {
     let focus = ui.scope_id().with("outline keys");
     let output = area.show_rows(ui, ROW, recording.outline.rows().len(), |ui, range| {
         let ids = recording.outline.rows()[range].to_vec();
-        ids.into_iter().fold(false, |clicked, id| show_row(ui, recording, id) || clicked)
+        let mut clicked = false;
+        for id in ids {
+            clicked |= show_row(ui, recording, id);
+        }
+        clicked
     });
     ui.ctx().data_mut(|data| data.insert_temp(focus, [output.state.clamped_offset().y, output.inner_rect.height()]));
     // The outline as a whole takes the focus, so that it does not get lost when the focused row scrolls away.
@@ -168,7 +172,8 @@ fn keys(ui: &Ui, recording: &mut Recording, whole: &Response) {
         let row = recording.outline.row_of(id)?.checked_add_signed(distance)?;
         recording.outline.rows().get(row).copied()
     };
-    let page = isize::try_from((whole.rect.height() / ROW) as usize).unwrap_or(1).max(1);
+    #[expect(clippy::cast_possible_truncation, reason = "a panel is a few hundred rows high")]
+    let page = ((whole.rect.height() / ROW) as isize).max(1);
     let moves = [(Key::ArrowUp, -1), (Key::ArrowDown, 1), (Key::PageUp, -page), (Key::PageDown, page)];
     if let Some(target) = moves.into_iter().find(|(key, _)| pressed(*key)).and_then(|(_, distance)| neighbour(distance))
     {

@@ -1,6 +1,7 @@
 //! The thin layer between the workbench and the system's window.
 
-use super::workbench::{Shares, Workbench};
+use super::layout::Shares;
+use super::workbench::Workbench;
 use eframe::{CreationContext, Frame, NativeOptions, Storage};
 use egui::{Ui, ViewportBuilder};
 
@@ -15,7 +16,7 @@ pub fn open(name: &str, text: String) -> Result<(), eframe::Error> {
         .with_min_inner_size([960.0, 600.0])
         .with_drag_and_drop(true);
     let options = NativeOptions { viewport, ..NativeOptions::default() };
-    let create = |creation: &CreationContext| Window::new(creation, name, &text);
+    let create = move |creation: &CreationContext| Window::new(creation, name, &text);
     eframe::run_native("rayscope", options, Box::new(move |creation| Ok(Box::new(create(creation)))))
 }
 

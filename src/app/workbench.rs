@@ -1,19 +1,17 @@
-//! The whole window on `egui` alone: what is open, what is selected, and where the panels lie.
+//! The state of the workbench: what is open, what is recorded, what is selected.
 
 use super::file_dialog::FileDialog;
-use super::image_panel::{ImagePanel, ImageView};
-use super::panel::panel;
+use super::image_panel::ImagePanel;
+use super::layout::Shares;
 use super::plots_panel::PlotsPanel;
 use super::recording::Recording;
 use super::renderer::Renderer;
-use super::scene_menu::{Choice, SceneMenu};
+use super::scene_menu::SceneMenu;
 use super::side_panel::SidePanel;
-use super::split::{Direction, GAP, split};
-use super::theme::Palette;
-use super::{detail_panel, problem, theme, toolbar, top_bar, tree_panel};
+use super::theme;
 use crate::record::EventId;
 use crate::scene::{EmbeddedScene, Scene, embedded_scene, embedded_scenes, load};
-use egui::{Context, Rect, RichText, Ui, UiBuilder};
+use egui::Context;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -36,35 +34,16 @@ pub struct Problem {
 
 /// The state of the workbench.
 pub struct Workbench {
-    open: Option<OpenScene>,
-    problem: Option<Problem>,
-    recording: Option<Recording>,
-    renderer: Renderer,
-    menu: SceneMenu,
-    dialog: FileDialog,
-    image: ImagePanel,
-    side: SidePanel,
-    plots: PlotsPanel,
-    shares: Shares,
-}
-
-/// How the window is divided: shares from 0 to 1.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Shares {
-    /// The left column's share of the width.
-    pub left: f32,
-    /// The outline's share of what is left.
-    pub outline: f32,
-    /// The picture's share of the left column's height.
-    pub picture: f32,
-    /// The detail's share of the right column's height.
-    pub detail: f32,
-}
-
-impl Default for Shares {
-    fn default() -> Self {
-        Self { left: 0.35, outline: 0.52, picture: 0.5, detail: 0.48 }
-    }
+    pub(super) open: Option<OpenScene>,
+    pub(super) problem: Option<Problem>,
+    pub(super) recording: Option<Recording>,
+    pub(super) renderer: Renderer,
+    pub(super) menu: SceneMenu,
+    pub(super) dialog: FileDialog,
+    pub(super) image: ImagePanel,
+    pub(super) side: SidePanel,
+    pub(super) plots: PlotsPanel,
+    pub(super) shares: Shares,
 }
 
 impl Workbench {
@@ -181,112 +160,8 @@ impl Workbench {
         }
     }
 
-    /// Shows the workbench in all of `ui` and lets it be used.
-    pub fn ui(&mut self, ui: &mut Ui) {
-        self.take_files(ui.ctx());
-        let palette = Palette::current(ui.ctx());
-        let whole = ui.max_rect();
-        ui.painter().rect_filled(whole, 0.0, palette.window);
-        let (bar, below) = whole.split_top_bottom_at_y(whole.top() + top_bar::height(self.open.as_ref()));
-        self.top_bar(ui, bar);
-        let mut below = below.shrink(GAP);
-        if let Some(problem) = &self.problem {
-            let (band, rest) = below.split_top_bottom_at_y(below.top() + problem::height(problem, below.height()));
-            if problem::ui(ui, band, problem, self.open.as_ref()) {
-                self.problem = None;
-            }
-            below = rest.with_min_y(rest.top() + GAP);
-        }
-        self.panels(ui, below);
-    }
-
-    fn top_bar(&mut self, ui: &mut Ui, bar: Rect) {
-        let pixel = self.recording.as_ref().map(|recording| recording.pixel);
-        let builder = UiBuilder::new().id_salt("top bar").max_rect(bar);
-        let action = ui.scope_builder(builder, |ui| top_bar::ui(ui, &self.menu, self.open.as_ref(), pixel)).inner;
-        match action {
-            Some(top_bar::Action::Choose(Choice::Embedded(name))) => self.open_scene(ui.ctx(), &name),
-            Some(top_bar::Action::Choose(Choice::OpenFile)) => self.dialog.open(ui.ctx()),
-            Some(top_bar::Action::Record(pixel)) => self.record(pixel),
-            None => {}
-        }
-    }
-
-    fn panels(&mut self, ui: &mut Ui, rect: Rect) {
-        let (beside, below) = (Direction::Beside, Direction::Below);
-        let mut shares = self.shares;
-        let (left, rest) = split(ui, "Width of the picture", rect, beside, &mut shares.left, 280.0);
-        let (middle, right) = split(ui, "Width of the outline", rest, beside, &mut shares.outline, 280.0);
-        let (picture, side) = split(ui, "Height of the picture", left, below, &mut shares.picture, 140.0);
-        let (detail, plots) = split(ui, "Height of the detail", right, below, &mut shares.detail, 140.0);
-        self.shares = shares;
-        self.picture_panel(ui, picture);
-        self.side_panel(ui, side);
-        self.outline_panel(ui, middle);
-        panel(ui, detail, "Selected event", |_| {}, |ui| detail_panel::ui(ui, self.recording.as_ref()));
-        let mut clicked = None;
-        panel(ui, plots, "Along the ray", |_| {}, |ui| clicked = self.plots.ui(ui, self.recording.as_ref()));
-        if let Some(event) = clicked {
-            self.select(event);
-        }
-    }
-
-    fn picture_panel(&mut self, ui: &mut Ui, rect: Rect) {
-        let Some(open) = &self.open else {
-            panel(ui, rect, "Picture", |_| {}, |ui| super::panel::empty(ui, "No scene is open."));
-            return;
-        };
-        let texture = self.renderer.texture(ui.ctx()).cloned();
-        let state = progress(ui.ctx(), &self.renderer, &open.scene);
-        let mut chosen = None;
-        let view = ImageView { scene: &open.scene, texture, recording: self.recording.as_ref() };
-        let tools = |ui: &mut Ui| {
-            ui.label(RichText::new(state).small().weak());
-        };
-        panel(ui, rect, "Picture", tools, |ui| chosen = self.image.ui(ui, &view));
-        if let Some(pixel) = chosen {
-            self.record(pixel);
-        }
-    }
-
-    fn side_panel(&mut self, ui: &mut Ui, rect: Rect) {
-        let Some(open) = &self.open else {
-            panel(ui, rect, "Side view", |_| {}, |ui| super::panel::empty(ui, "No scene is open."));
-            return;
-        };
-        let mut clicked = None;
-        // Both closures need the panel, so the header's tools are shown first, in a panel of their own making.
-        let side = std::cell::RefCell::new(&mut self.side);
-        panel(
-            ui,
-            rect,
-            "Side view",
-            |ui| side.borrow_mut().tools(ui),
-            |ui| clicked = side.borrow_mut().ui(ui, &open.scene, self.recording.as_ref()),
-        );
-        if let Some(event) = clicked {
-            self.select(event);
-        }
-    }
-
-    fn outline_panel(&mut self, ui: &mut Ui, rect: Rect) {
-        let position = toolbar::position(self.recording.as_ref());
-        let tools = |ui: &mut Ui| {
-            ui.label(RichText::new(position).small().weak());
-        };
-        panel(ui, rect, "The ray's story", tools, |ui| {
-            let (bar, rows) = toolbar::cut(ui.available_rect_before_wrap());
-            let builder = UiBuilder::new().id_salt("stepper").max_rect(bar.shrink2(egui::vec2(8.0, 4.0)));
-            ui.scope_builder(builder, |ui| toolbar::ui(ui, self.recording.as_mut()));
-            let edge = egui::Stroke::new(1.0, Palette::current(ui.ctx()).edge);
-            ui.painter().hline(bar.x_range(), bar.bottom(), edge);
-            let builder = UiBuilder::new().id_salt("rows").max_rect(rows.with_min_y(rows.top() + 1.0));
-            ui.scope_builder(builder, |ui| tree_panel::ui(ui, self.recording.as_mut()));
-        });
-    }
-
     /// Opens what was dropped on the window or chosen in the dialogue.
-    fn take_files(&mut self, ctx: &Context) {
+    pub(super) fn take_files(&mut self, ctx: &Context) {
         if let Some(path) = self.dialog.chosen() {
             self.open_scene(ctx, &path.display().to_string());
         }
@@ -300,16 +175,6 @@ impl Workbench {
             }
         }
     }
-}
-
-/// How far the picture is, in words.
-fn progress(ctx: &Context, renderer: &Renderer, scene: &Scene) -> String {
-    let size = format!("{} × {}", scene.image.width, scene.image.height);
-    if renderer.finished() {
-        return size;
-    }
-    ctx.request_repaint_after(std::time::Duration::from_millis(100));
-    format!("{size} · rendering, {:.0} %", 100.0 * renderer.share_done())
 }
 
 /// The scene for the first visit.
