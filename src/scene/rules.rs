@@ -72,11 +72,7 @@ impl Rules {
     /// Follows names to what they stand for.
     pub fn resolve<'a>(&'a self, rule: &'a Rule) -> &'a Rule {
         match rule {
-<<<<<<< HEAD
             // A schema whose root lies within itself, as that of solids does.
-=======
-            // A schema that holds itself names itself so.
->>>>>>> scene
             Rule::Named(name) if name == "#" => &self.root,
             Rule::Named(name) => self.named.get(name).map_or(rule, |rule| self.resolve(rule)),
             _ => rule,
