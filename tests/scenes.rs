@@ -45,7 +45,9 @@ fn scenes_are_named_by_topic_and_case_and_come_in_order() {
     assert!(names.len() >= 20);
     assert!(names.is_sorted());
     assert!(names.iter().all(|name| name.split('/').count() == 2));
-    for name in ["hello/sphere", "csg/lens", "csg/bowl", "csg/rocket", "csg/nested", "optics/fishbowl", "optics/mirrors"] {
+    for name in
+        ["hello/sphere", "csg/lens", "csg/bowl", "csg/rocket", "csg/nested", "optics/fishbowl", "optics/mirrors"]
+    {
         assert!(names.iter().any(|other| other == name), "there is no scene {name}");
     }
     assert_eq!(embedded_scene("scene.schema"), None);

@@ -49,12 +49,6 @@ impl<K: Clone + PartialEq + Send + 'static> Canvas<K> {
         self.shown.as_ref()
     }
 
-    /// Whether what is shown belongs to an earlier key.
-    #[must_use]
-    pub fn is_stale(&self) -> bool {
-        self.pending.is_some()
-    }
-
     fn receive(&mut self, ctx: &Context) {
         let Some(pending) = &self.pending else { return };
         match pending.try_recv() {

@@ -4,7 +4,7 @@ use super::panel::empty;
 use super::recording::Recording;
 use super::theme::{PADDING, Palette};
 use crate::view::{DetailLine, detail};
-use egui::{Frame, Grid, Label, Margin, RichText, ScrollArea, Ui};
+use egui::{Frame, Grid, Label, Margin, RichText, ScrollArea, TextStyle, Ui};
 
 /// Shows the selected event.
 pub fn ui(ui: &mut Ui, recording: Option<&Recording>) {
@@ -34,25 +34,35 @@ fn lines(ui: &mut Ui, lines: &[DetailLine]) {
     let is_pair = |line: &DetailLine| matches!(line, DetailLine::Pair { .. });
     for (i, group) in lines.chunk_by(|a, b| is_pair(a) && is_pair(b)).enumerate() {
         match &group[0] {
-            DetailLine::Pair { .. } => pairs(ui, i, group),
+            DetailLine::Pair { .. } => pairs(ui, group),
             DetailLine::Working { symbol, formula, numbers, result } => working(ui, symbol, formula, numbers, result),
             DetailLine::Table { title, headers, rows } => table(ui, i, title, headers, rows),
         }
     }
 }
 
-fn pairs(ui: &mut Ui, salt: usize, group: &[DetailLine]) {
+fn pairs(ui: &mut Ui, group: &[DetailLine]) {
     let palette = Palette::current(ui.ctx());
-    Grid::new(("pairs", salt)).num_columns(2).spacing([14.0, 4.0]).show(ui, |ui| {
-        for line in group {
-            let DetailLine::Pair { name, value } = line else { continue };
-            ui.with_layout(egui::Layout::left_to_right(egui::Align::Min), |ui| {
-                ui.label(RichText::new(name).color(palette.weak));
+    let pairs = || {
+        group.iter().filter_map(|line| match line {
+            DetailLine::Pair { name, value } => Some((name, value)),
+            _ => None,
+        })
+    };
+    let font = TextStyle::Body.resolve(ui.style());
+    let width = |name: &String| ui.painter().layout_no_wrap(name.clone(), font.clone(), palette.weak).size().x;
+    let column = pairs().map(|(name, _)| width(name)).fold(0.0, f32::max).min(0.45 * ui.available_width()).ceil();
+    ui.spacing_mut().interact_size.y = 0.0;
+    for (name, value) in pairs() {
+        ui.horizontal_top(|ui| {
+            ui.spacing_mut().item_spacing.x = 14.0;
+            ui.scope(|ui| {
+                ui.set_width(column);
+                ui.add(Label::new(RichText::new(name).color(palette.weak)).wrap());
             });
             ui.add(Label::new(RichText::new(value).color(palette.text)).wrap());
-            ui.end_row();
-        }
-    });
+        });
+    }
 }
 
 /// `symbol = formula`, below it the numbers put in, below it the result: as a student would write it.

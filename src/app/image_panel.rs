@@ -6,8 +6,8 @@ use crate::record::{Counter, Entry, NullRecorder, RayKind, Recorder, What, forma
 use crate::scene::{Rgb, Scene};
 use crate::trace::{srgb, trace_pixel};
 use egui::{
-    Color32, EventFilter, Key, Painter, Pos2, Rect, Response, Role, Sense, Stroke, StrokeKind,
-    TextureHandle, Ui, Vec2, WidgetInfo, pos2, vec2,
+    Color32, EventFilter, Key, Painter, Pos2, Rect, Response, Role, Sense, Stroke, StrokeKind, TextureHandle, Ui, Vec2,
+    WidgetInfo, pos2, vec2,
 };
 
 /// Height of the line below the picture that reads the pixel under the pointer.
@@ -52,7 +52,7 @@ impl ImagePanel {
         };
         ui.painter().rect_filled(above, 0.0, palette.backdrop);
         let place = Placement::fit(view.scene, above.shrink(8.0), ui.pixels_per_point());
-        let response = ui.interact(place.rect, ui.id().with("picture"), Sense::click());
+        let response = ui.interact(place.rect, ui.scope_id().with("picture"), Sense::click());
         response.widget_info(|| WidgetInfo::labeled(Role::Image, true, "Rendered image"));
         let response = response.on_hover_cursor(egui::CursorIcon::Crosshair);
 
@@ -92,7 +92,9 @@ impl ImagePanel {
         let focused = view.recording.map(|recording| recording.pixel);
         let (text, swatch) = match (&self.reading, focused) {
             (Some(reading), _) => (describe(reading), Some(srgb(reading.linear))),
-            (None, Some([x, y])) => (format!("Pixel ({x}, {y}) is recorded. Click another, or use the arrow keys."), None),
+            (None, Some([x, y])) => {
+                (format!("Pixel ({x}, {y}) is recorded. Click another, or use the arrow keys."), None)
+            }
             (None, None) => ("Click a pixel to record what its ray does.".to_owned(), None),
         };
         let mut x = line.left() + 10.0;

@@ -30,16 +30,18 @@ pub use recording::{HitMark, Recording};
 pub use stepper::Step;
 pub use workbench::{OpenScene, Problem, Shares, Workbench};
 
-/// Opens the workbench on a scene (a file, or an embedded one's name) and stays until its window is closed.
+/// Opens the workbench on the text of a scene and stays until its window is closed.
+///
+/// `name` is the scene's name, or its file's. A scene with errors is no reason not to open: the window shows them.
 ///
 /// # Errors
 ///
 /// One line that says why there is no window, and what to do without one.
-pub fn run(scene: Option<&str>) -> Result<(), String> {
+pub fn run(name: &str, text: String) -> Result<(), String> {
     if !has_display() {
         return Err(without_display("there is no display"));
     }
-    window::open(scene.map(str::to_owned)).map_err(|error| without_display(&one_line(&error.to_string())))
+    window::open(name, text).map_err(|error| without_display(&one_line(&error.to_string())))
 }
 
 /// Elsewhere than on Unix desktops a display is taken for granted.

@@ -1,6 +1,6 @@
 //! The frame that every panel of the workbench stands in: a card with a header line and room for its tools.
 
-use super::theme::{PADDING, Palette};
+use super::theme::{PADDING, Palette, bold};
 use egui::{Align, CornerRadius, Layout, Rect, RichText, Stroke, StrokeKind, Ui, UiBuilder, vec2};
 
 /// Height of a panel's header, in points.
@@ -17,7 +17,7 @@ pub fn panel(ui: &mut Ui, rect: Rect, title: &str, tools: impl FnOnce(&mut Ui), 
 
     let inside = header.shrink2(vec2(f32::from(PADDING), 3.0));
     child(ui, title, "header", inside, Layout::left_to_right(Align::Center), |ui| {
-        ui.label(RichText::new(title).strong());
+        ui.label(RichText::new(title).family(bold()));
         ui.with_layout(Layout::right_to_left(Align::Center), tools);
     });
     child(ui, title, "body", body.shrink(1.0), Layout::top_down(Align::Min), contents);

@@ -10,6 +10,12 @@ use crate::view::{Drawing, Theme, interval_bars, sign_plot};
 use egui::{Color32, Pos2, Rect, Role, Sense, Ui, Vec2, WidgetInfo, pos2};
 use std::sync::Arc;
 
+/// How far from a mark a click still counts, in points. Less makes thin lines hard to hit.
+const REACH: f64 = 5.0;
+
+/// The bars' share of the height: three lists with labels need more than one curve.
+const BARS_SHARE: f32 = 0.56;
+
 /// What there is to plot of an event.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Plot {
@@ -56,46 +62,77 @@ impl PartialEq for Key {
 pub struct PlotsPanel {
     bars: Canvas<Key>,
     signs: Canvas<Key>,
+    /// Which of the two there is, as far as is known.
+    present: [bool; 2],
 }
 
 impl PlotsPanel {
-    /// Shows what there is to plot of the selected event.
-    pub fn ui(&mut self, ui: &mut Ui, recording: Option<&Recording>) {
+    /// Shows what there is to plot of the selected event; returns the event whose mark was clicked.
+    pub fn ui(&mut self, ui: &mut Ui, recording: Option<&Recording>) -> Option<EventId> {
         let nothing = "Select a CSG node to see its intervals, or a primitive to see d(t) along the ray.";
         let Some(recording) = recording else {
             empty(ui, nothing);
-            return;
+            return None;
         };
         let whole = ui.available_rect_before_wrap();
-        let (upper, lower) = whole.split_top_bottom_at_y(whole.center().y.round());
-        let bars = show(ui, &mut self.bars, Plot::Bars, recording, upper);
-        let signs = show(ui, &mut self.signs, Plot::Signs, recording, lower);
-        if bars == Some(false) && signs == Some(false) {
+        let (upper, lower) = match self.present {
+            [true, false] | [false, true] => (whole, whole),
+            _ => whole.split_top_bottom_at_y((whole.top() + BARS_SHARE * whole.height()).round()),
+        };
+        let plotted = recording.plotted();
+        let look = |canvas: &mut Canvas<Key>, plot, event, rect| show(ui, canvas, plot, recording, event, rect);
+        let bars = look(&mut self.bars, Plot::Bars, plotted.intervals, upper);
+        let signs = look(&mut self.signs, Plot::Signs, plotted.signs, lower);
+        let present = [bars.present, signs.present];
+        if present != self.present {
+            self.present = present;
+            ui.ctx().request_repaint();
+        }
+        if present == [false, false] {
             empty(ui, nothing);
         }
+        bars.clicked.or(signs.clicked)
     }
 }
 
-/// Shows one plot; returns whether there is one, or none if that is not known yet.
-fn show(ui: &Ui, canvas: &mut Canvas<Key>, plot: Plot, recording: &Recording, rect: Rect) -> Option<bool> {
+/// What became of a plot.
+struct Shown {
+    /// Whether there is one, or was one when it was last drawn.
+    present: bool,
+    clicked: Option<EventId>,
+}
+
+fn show(
+    ui: &Ui,
+    canvas: &mut Canvas<Key>,
+    plot: Plot,
+    recording: &Recording,
+    selected: EventId,
+    rect: Rect,
+) -> Shown {
     let inside = rect.shrink(4.0);
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a panel is a few thousand points")]
     let size = [inside.width().max(1.0) as u32, inside.height().max(1.0) as u32];
     let key = Key {
         tree: Arc::clone(&recording.tree),
-        selected: recording.selected(),
+        selected,
         size,
         theme: drawing_theme(ui.ctx()),
         pixels_per_point: ui.pixels_per_point(),
     };
     let wanted = key.clone();
-    let shown = canvas.update(ui.ctx(), &key, move || plot.draw(&wanted))?;
-    if let Some(texture) = &shown.texture {
-        let response = ui.interact(rect, ui.id().with(plot.name()), Sense::hover());
-        response.widget_info(|| WidgetInfo::labeled(Role::Image, true, plot.name()));
-        let place = Rect::from_min_size(inside.min, Vec2::from(shown.key.size.map(|points| points as f32)));
-        let unit_square = Rect::from_min_max(Pos2::ZERO, pos2(1.0, 1.0));
-        ui.painter_at(rect).image(texture.id(), place, unit_square, Color32::WHITE);
+    let mut outcome = Shown { present: false, clicked: None };
+    let Some(shown) = canvas.update(ui.ctx(), &key, move || plot.draw(&wanted)) else { return outcome };
+    let (Some(texture), Some(drawing)) = (&shown.texture, &shown.drawing) else { return outcome };
+    outcome.present = true;
+    let response = ui.interact(rect, ui.scope_id().with(plot.name()), Sense::click());
+    response.widget_info(|| WidgetInfo::labeled(Role::Image, true, plot.name()));
+    let place = Rect::from_min_size(inside.min, Vec2::from(shown.key.size.map(|points| points as f32)));
+    let unit_square = Rect::from_min_max(Pos2::ZERO, pos2(1.0, 1.0));
+    ui.painter_at(rect).image(texture.id(), place, unit_square, Color32::WHITE);
+    if let (true, Some(at)) = (response.clicked() && shown.key == key, response.interact_pointer_pos()) {
+        let local = at - place.min;
+        outcome.clicked = drawing.event_at([f64::from(local.x), f64::from(local.y)], REACH);
     }
-    Some(shown.drawing.is_some())
+    outcome
 }

@@ -18,7 +18,13 @@ pub fn height(problem: &Problem, available: f32) -> f32 {
 /// Shows the message; returns whether it was closed.
 pub fn ui(ui: &mut Ui, rect: Rect, problem: &Problem, open: Option<&OpenScene>) -> bool {
     let palette = Palette::current(ui.ctx());
-    ui.painter().rect(rect, CornerRadius::same(7), palette.panel, Stroke::new(1.5, palette.problem), StrokeKind::Inside);
+    ui.painter().rect(
+        rect,
+        CornerRadius::same(7),
+        palette.panel,
+        Stroke::new(1.5, palette.problem),
+        StrokeKind::Inside,
+    );
     let builder = UiBuilder::new().id_salt("problem").max_rect(rect.shrink2(egui::vec2(12.0, 8.0)));
     let mut closed = false;
     ui.scope_builder(builder, |ui| {

@@ -21,6 +21,15 @@ pub struct HitMark {
     pub point: DVec3,
 }
 
+/// What the plots look at.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Plotted {
+    /// The event whose intervals are plotted.
+    pub intervals: EventId,
+    /// The event whose d(t) is plotted.
+    pub signs: EventId,
+}
+
 /// A pixel's tree with what the panels need beside it.
 #[derive(Debug)]
 pub struct Recording {
@@ -75,6 +84,22 @@ impl Recording {
         if let Some(id) = outcome.map(|event| event.id) {
             self.select(id);
         }
+    }
+
+    /// The event whose intervals are plotted, and the one whose d(t) is: the selected one, or if that is a hit, the
+    /// search that found it.
+    #[must_use]
+    pub fn plotted(&self) -> Plotted {
+        let as_selected = Plotted { intervals: self.selected, signs: self.selected };
+        let (What::Hit { object, leaf, .. } | What::Rejected { object, leaf, .. }) = &self.tree.event(self.selected).what
+        else {
+            return as_selected;
+        };
+        let is_object = |id: &EventId| matches!(&self.tree.event(*id).what, What::Object { name, .. } if name == object);
+        let Some(search) = (0..self.selected).rev().find(is_object) else { return as_selected };
+        let is_leaf = |id: &EventId| matches!(&self.tree.event(*id).what, What::Primitive { name, .. } if name == leaf);
+        let primitive = (search..self.tree.subtree_end(search)).find(is_leaf);
+        Plotted { intervals: search, signs: primitive.unwrap_or(search) }
     }
 
     /// Opens or folds a row; a selection that would vanish moves up to the row that stays.

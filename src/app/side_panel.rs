@@ -71,12 +71,6 @@ impl SidePanel {
         (self.zoom, self.pan) = (1.0, [0.0; 2]);
     }
 
-    /// Whether the drawing on screen belongs to what is selected now.
-    #[must_use]
-    pub fn is_stale(&self) -> bool {
-        self.canvas.is_stale()
-    }
-
     /// The choice of the plane and the zoom, for the panel's header (right to left).
     pub fn tools(&mut self, ui: &mut Ui) {
         let fitted = self.zoom == 1.0 && self.pan == [0.0; 2];
@@ -102,7 +96,7 @@ impl SidePanel {
             return None;
         };
         let rect = ui.available_rect_before_wrap();
-        let response = ui.interact(rect, ui.id().with("side view"), Sense::click_and_drag());
+        let response = ui.interact(rect, ui.scope_id().with("side view"), Sense::click_and_drag());
         response.widget_info(|| WidgetInfo::labeled(Role::Image, true, "Side view"));
         let response = response.on_hover_and_drag_cursor(CursorIcon::Grab);
         self.pan_and_zoom(ui, &response, rect);

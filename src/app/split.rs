@@ -31,7 +31,7 @@ pub fn split(
     let range = (smallest / length.max(1.0))..=(1.0 - smallest / length.max(1.0));
     let clamp = |f: f32| f.clamp(*range.start(), *range.end());
     let (_, handle, _) = cut(whole, direction, length * clamp(*fraction));
-    let response = ui.interact(handle, ui.id().with(("split", name)), Sense::drag());
+    let response = ui.interact(handle, ui.scope_id().with(("split", name)), Sense::drag());
     response.widget_info(|| WidgetInfo::labeled(Role::Splitter, true, name));
     let cursor = match direction {
         Direction::Beside => CursorIcon::ResizeHorizontal,

@@ -3,7 +3,10 @@
 use super::recording::Recording;
 use super::stepper::Step;
 use super::theme::Palette;
-use egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Response, Role, Sense, Shape, Stroke, StrokeKind, Ui, WidgetInfo, pos2, vec2};
+use egui::{
+    Align2, Color32, FontId, Painter, Pos2, Rect, Response, Role, Sense, Shape, Stroke, StrokeKind, Ui, WidgetInfo,
+    pos2, vec2,
+};
 
 /// Height of the toolbar, in points.
 pub const HEIGHT: f32 = 50.0;
@@ -23,9 +26,8 @@ pub fn ui(ui: &mut Ui, recording: Option<&mut Recording>) {
 /// `step 12 of 148`, counted from 1.
 #[must_use]
 pub fn position(recording: Option<&Recording>) -> String {
-    recording.map_or_else(String::new, |recording| {
-        format!("step {} of {}", recording.selected() + 1, recording.tree.end())
-    })
+    recording
+        .map_or_else(String::new, |recording| format!("step {} of {}", recording.selected() + 1, recording.tree.end()))
 }
 
 fn buttons(ui: &mut Ui, moves: &[(Step, Option<u32>)]) -> Option<Step> {

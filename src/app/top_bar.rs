@@ -1,14 +1,22 @@
 //! The bar at the top: which scene, what it shows, which pixels to try, light or dark.
 
 use super::scene_menu::{Choice, SceneMenu};
-use super::theme::Palette;
+use super::theme::{Palette, bold};
 use super::workbench::OpenScene;
+use egui::text::LayoutJob;
 use egui::{Align, Label, Layout, RichText, Stroke, ThemePreference, Ui, UiBuilder, vec2};
 
-/// Height of the bar, in points.
-pub const HEIGHT: f32 = 82.0;
 /// Height of its upper line, in points.
 const UPPER: f32 = 42.0;
+/// Height of its lower line, in points: two lines of text.
+const LOWER: f32 = 44.0;
+
+/// Height of the bar, in points.
+#[must_use]
+pub fn height(open: Option<&OpenScene>) -> f32 {
+    let says_something = |open: &OpenScene| !(open.scene.about.is_empty() && open.scene.pixels.is_empty());
+    if open.is_some_and(says_something) { UPPER + LOWER } else { UPPER }
+}
 
 /// What was chosen in the bar.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -31,7 +39,7 @@ pub fn ui(ui: &mut Ui, menu: &SceneMenu, open: Option<&OpenScene>, recorded: Opt
     };
     let chosen = ui
         .scope_builder(line("upper", upper.shrink2(vec2(14.0, 4.0))), |ui| {
-            ui.label(RichText::new("rayscope").size(17.0).strong().color(palette.accent));
+            ui.label(RichText::new("rayscope").size(17.0).family(bold()).color(palette.accent));
             ui.add_space(8.0);
             let chosen = menu.ui(ui, open.map_or("none", |open| &open.name));
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
@@ -56,7 +64,7 @@ fn title(ui: &mut Ui, open: Option<&OpenScene>) {
         sections => format!("§ {}", sections.join(", ")),
     };
     ui.add_space(6.0);
-    ui.add(Label::new(RichText::new(&open.scene.title).strong().size(15.0)).truncate());
+    ui.add(Label::new(RichText::new(&open.scene.title).family(bold()).size(14.5)).truncate());
     ui.add(Label::new(RichText::new(sections).weak()).truncate());
 }
 
@@ -65,7 +73,8 @@ fn about(ui: &mut Ui, open: &OpenScene, recorded: Option<[u32; 2]>) -> Option<[u
     let mut chosen = None;
     ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
         for &[x, y] in open.scene.pixels.iter().take(4).rev() {
-            let button = ui.selectable_label(recorded == Some([x, y]), format!("pixel ({x}, {y})"));
+            let name = format!("pixel ({x}, {y})");
+            let button = ui.add(egui::Button::new(name).selected(recorded == Some([x, y])));
             if button.on_hover_text("Record this pixel: it shows what the scene is about.").clicked() {
                 chosen = Some([x, y]);
             }
@@ -75,9 +84,16 @@ fn about(ui: &mut Ui, open: &OpenScene, recorded: Option<[u32; 2]>) -> Option<[u
         }
         ui.add_space(12.0);
         ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
-            ui.set_max_height(36.0);
-            ui.add(Label::new(RichText::new(&open.scene.about).size(12.5).weak()).wrap())
-                .on_hover_text(&open.scene.about);
+            let palette = Palette::current(ui.ctx());
+            let font = egui::FontId::proportional(12.5);
+            let mut job = LayoutJob::simple(open.scene.about.clone(), font, palette.weak, ui.available_width());
+            job.wrap.max_rows = 2;
+            let galley = ui.ctx().fonts_mut(|fonts| fonts.layout_job(job));
+            let elided = galley.elided;
+            let label = ui.label(galley);
+            if elided {
+                label.on_hover_text(&open.scene.about);
+            }
         });
     });
     chosen
@@ -92,9 +108,9 @@ fn theme_menu(ui: &mut Ui) {
         ThemePreference::Dark => "Theme: dark",
     };
     ui.menu_button(name, |ui| {
-        ui.radio_value(&mut preference, ThemePreference::System, "As the system");
-        ui.radio_value(&mut preference, ThemePreference::Light, "Light");
-        ui.radio_value(&mut preference, ThemePreference::Dark, "Dark");
+        ui.selectable_value(&mut preference, ThemePreference::System, "As the system");
+        ui.selectable_value(&mut preference, ThemePreference::Light, "Light");
+        ui.selectable_value(&mut preference, ThemePreference::Dark, "Dark");
     });
     if preference != before {
         ui.ctx().set_theme(preference);

@@ -6,8 +6,8 @@ use super::theme::Palette;
 use crate::record::EventId;
 use crate::view::{Row, row};
 use egui::{
-    Align2, EventFilter, FontId, Key, Rect, Response, Role, ScrollArea, Sense, Stroke, TextStyle, Ui, WidgetInfo,
-    pos2, vec2,
+    Align2, EventFilter, FontId, Key, Rect, Response, Role, ScrollArea, Sense, Stroke, TextStyle, Ui, WidgetInfo, pos2,
+    vec2,
 };
 use std::sync::Arc;
 
@@ -31,17 +31,19 @@ pub fn ui(ui: &mut Ui, recording: Option<&mut Recording>) {
     if let Some(offset) = offset_of_selection(ui, recording) {
         area = area.vertical_scroll_offset(offset);
     }
-    let focus = ui.id().with("outline keys");
+    let focus = ui.scope_id().with("outline keys");
     let output = area.show_rows(ui, ROW, recording.outline.rows().len(), |ui, range| {
         let ids = recording.outline.rows()[range].to_vec();
-        for id in ids {
-            show_row(ui, recording, id, focus);
-        }
+        ids.into_iter().fold(false, |clicked, id| show_row(ui, recording, id) || clicked)
     });
-    ui.ctx().data_mut(|data| data.insert_temp(focus, [output.state.offset().y, output.inner_rect.height()]));
+    ui.ctx().data_mut(|data| data.insert_temp(focus, [output.state.clamped_offset().y, output.inner_rect.height()]));
     // The outline as a whole takes the focus, so that it does not get lost when the focused row scrolls away.
     let whole = ui.interact(output.inner_rect, focus, Sense::focusable_noninteractive());
     whole.widget_info(|| WidgetInfo::labeled(Role::Tree, true, "The ray's story"));
+    if output.inner {
+        // Only now: a click beside the outline itself, as one on a row is, takes its focus away.
+        whole.request_focus();
+    }
     if whole.has_focus() {
         let palette = Palette::current(ui.ctx());
         let edge = Stroke::new(1.0, palette.accent);
@@ -55,29 +57,30 @@ fn offset_of_selection(ui: &Ui, recording: &mut Recording) -> Option<f32> {
     if !std::mem::take(&mut recording.selection_moved) {
         return None;
     }
-    let focus = ui.id().with("outline keys");
+    let focus = ui.scope_id().with("outline keys");
     let [offset, height] = ui.ctx().data(|data| data.get_temp(focus)).unwrap_or([0.0, ui.available_height()]);
     let top = recording.outline.row_of(recording.selected())? as f32 * ROW;
     let in_sight = top >= offset && top + ROW <= offset + height;
     (!in_sight).then(|| (top - height / 3.0).max(0.0))
 }
 
-fn show_row(ui: &mut Ui, recording: &mut Recording, id: EventId, focus: egui::Id) {
+/// Shows a row; returns whether it was clicked.
+fn show_row(ui: &mut Ui, recording: &mut Recording, id: EventId) -> bool {
     let tree = Arc::clone(&recording.tree);
     let row = row(tree.event(id));
     let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width(), ROW), Sense::hover());
-    let response = ui.interact(rect, ui.id().with(("row", id)), Sense::click());
+    let response = ui.interact(rect, ui.scope_id().with(("row", id)), Sense::click());
     let selected = recording.selected() == id;
     let open = recording.outline.is_open(id);
     name_row(ui, &response, &row, selected, open, recording.outline.depth(id));
 
     let left = rect.left() + 4.0 + INDENT * f32::from(recording.outline.depth(id));
     let triangle = Rect::from_min_size(pos2(left, rect.top()), vec2(TRIANGLE, ROW));
-    paint_row(ui, rect, left, &row, selected, response.hovered());
+    let elided = paint_row(ui, rect, left, &row, selected, response.hovered());
     paint_triangle(ui, triangle, open);
 
+    let response = if elided { response.on_hover_text(full_text(&row)) } else { response };
     if response.clicked() {
-        ui.memory_mut(|memory| memory.request_focus(focus));
         let on_triangle = response.interact_pointer_pos().is_some_and(|at| at.x < triangle.right());
         match open {
             Some(open) if on_triangle => recording.set_open(id, !open),
@@ -87,21 +90,28 @@ fn show_row(ui: &mut Ui, recording: &mut Recording, id: EventId, focus: egui::Id
     if let (true, Some(open)) = (response.double_clicked(), open) {
         recording.set_open(id, !open);
     }
+    response.clicked()
 }
 
 /// Tells screen readers and tests what the row says.
 fn name_row(ui: &Ui, response: &Response, row: &Row, selected: bool, open: Option<bool>, depth: u16) {
-    let text = if row.numbers.is_empty() { row.label.clone() } else { format!("{}, {}", row.label, row.numbers) };
-    response.widget_info(|| WidgetInfo::selected(Role::TreeItem, true, selected, &text));
+    let text = full_text(row);
+    response.widget_info(|| WidgetInfo::labeled(Role::TreeItem, true, &text));
     ui.ctx().accesskit_node_builder(response.id, |node| {
         node.set_level(usize::from(depth) + 1);
+        node.set_selected(selected);
         if let Some(open) = open {
             node.set_expanded(open);
         }
     });
 }
 
-fn paint_row(ui: &Ui, rect: Rect, left: f32, row: &Row, selected: bool, hovered: bool) {
+fn full_text(row: &Row) -> String {
+    if row.numbers.is_empty() { row.label.clone() } else { format!("{}, {}", row.label, row.numbers) }
+}
+
+/// Paints the row; returns whether something of it did not fit.
+fn paint_row(ui: &Ui, rect: Rect, left: f32, row: &Row, selected: bool, hovered: bool) -> bool {
     let palette = Palette::current(ui.ctx());
     let painter = ui.painter_at(rect);
     if selected {
@@ -118,10 +128,15 @@ fn paint_row(ui: &Ui, rect: Rect, left: f32, row: &Row, selected: bool, hovered:
     let label = elided(ui, &row.label, body, palette.text, rect.right() - 8.0 - x);
     painter.galley(pos2(x, middle - label.size().y / 2.0), Arc::clone(&label), palette.text);
     let x = x + label.size().x + 10.0;
+    let mut cut = label.elided;
     if rect.right() - 8.0 - x > 24.0 {
         let numbers = elided(ui, &row.numbers, FontId::proportional(12.0), palette.weak, rect.right() - 8.0 - x);
+        cut |= numbers.elided;
         painter.galley(pos2(x, middle - numbers.size().y / 2.0), numbers, palette.weak);
+    } else {
+        cut |= !row.numbers.is_empty();
     }
+    cut
 }
 
 /// One line, ended by `…` where it does not fit.
@@ -155,7 +170,8 @@ fn keys(ui: &Ui, recording: &mut Recording, whole: &Response) {
     };
     let page = isize::try_from((whole.rect.height() / ROW) as usize).unwrap_or(1).max(1);
     let moves = [(Key::ArrowUp, -1), (Key::ArrowDown, 1), (Key::PageUp, -page), (Key::PageDown, page)];
-    if let Some(target) = moves.into_iter().find(|(key, _)| pressed(*key)).and_then(|(_, distance)| neighbour(distance)) {
+    if let Some(target) = moves.into_iter().find(|(key, _)| pressed(*key)).and_then(|(_, distance)| neighbour(distance))
+    {
         recording.select(target);
     }
     match recording.outline.is_open(id) {

@@ -4,11 +4,10 @@ use super::workbench::{Shares, Workbench};
 use eframe::{CreationContext, Frame, NativeOptions, Storage};
 use egui::{Ui, ViewportBuilder};
 
-const SCENE_KEY: &str = "scene";
 const SHARES_KEY: &str = "shares";
 
 /// Opens the window and stays until it is closed.
-pub fn open(scene: Option<String>) -> Result<(), eframe::Error> {
+pub fn open(name: &str, text: String) -> Result<(), eframe::Error> {
     let viewport = ViewportBuilder::default()
         .with_title("rayscope")
         .with_app_id("rayscope")
@@ -16,7 +15,8 @@ pub fn open(scene: Option<String>) -> Result<(), eframe::Error> {
         .with_min_inner_size([960.0, 600.0])
         .with_drag_and_drop(true);
     let options = NativeOptions { viewport, ..NativeOptions::default() };
-    eframe::run_native("rayscope", options, Box::new(|creation| Ok(Box::new(Window::new(creation, scene)))))
+    let create = |creation: &CreationContext| Window::new(creation, name, &text);
+    eframe::run_native("rayscope", options, Box::new(move |creation| Ok(Box::new(create(creation)))))
 }
 
 struct Window {
@@ -24,15 +24,11 @@ struct Window {
 }
 
 impl Window {
-    fn new(creation: &CreationContext, scene: Option<String>) -> Self {
-        let mut workbench = Workbench::new(&creation.egui_ctx);
-        let kept = |key| creation.storage.and_then(|storage| storage.get_string(key));
-        if let Some(shares) = kept(SHARES_KEY).and_then(|text| read_shares(&text)) {
+    fn new(creation: &CreationContext, name: &str, text: &str) -> Self {
+        let mut workbench = Workbench::new(&creation.egui_ctx, name, text);
+        let kept = creation.storage.and_then(|storage| storage.get_string(SHARES_KEY));
+        if let Some(shares) = kept.and_then(|text| read_shares(&text)) {
             workbench.set_shares(shares);
-        }
-        let last = || kept(SCENE_KEY).filter(|name| crate::scene::embedded_scene(name).is_some());
-        if let Some(name) = scene.or_else(last) {
-            workbench.open_scene(&creation.egui_ctx, &name);
         }
         Self { workbench }
     }
@@ -44,9 +40,6 @@ impl eframe::App for Window {
     }
 
     fn save(&mut self, storage: &mut dyn Storage) {
-        if let Some(open) = self.workbench.scene() {
-            storage.set_string(SCENE_KEY, open.name.clone());
-        }
         storage.set_string(SHARES_KEY, write_shares(self.workbench.shares()));
     }
 }

@@ -12,7 +12,7 @@ use super::split::{Direction, GAP, split};
 use super::theme::Palette;
 use super::{detail_panel, problem, theme, toolbar, top_bar, tree_panel};
 use crate::record::EventId;
-use crate::scene::{Scene, embedded_scene, embedded_scenes, load};
+use crate::scene::{EmbeddedScene, Scene, embedded_scene, embedded_scenes, load};
 use egui::{Context, Rect, RichText, Ui, UiBuilder};
 use std::path::Path;
 use std::sync::Arc;
@@ -63,14 +63,14 @@ pub struct Shares {
 
 impl Default for Shares {
     fn default() -> Self {
-        Self { left: 0.37, outline: 0.5, picture: 0.5, detail: 0.52 }
+        Self { left: 0.35, outline: 0.52, picture: 0.5, detail: 0.48 }
     }
 }
 
 impl Workbench {
-    /// A workbench with the first scene open.
+    /// A workbench with a scene open. If the scene has errors, they are shown beside the scene for the first visit.
     #[must_use]
-    pub fn new(ctx: &Context) -> Self {
+    pub fn new(ctx: &Context, name: &str, text: &str) -> Self {
         theme::install(ctx);
         let mut workbench = Self {
             open: None,
@@ -84,8 +84,13 @@ impl Workbench {
             plots: PlotsPanel::default(),
             shares: Shares::default(),
         };
-        if let Some(name) = first_scene() {
-            workbench.open_scene(ctx, &name);
+        workbench.open_text(ctx, name, text);
+        if workbench.open.is_none() {
+            let problem = workbench.problem.take();
+            if let Some(first) = first_scene() {
+                workbench.open_text(ctx, &first.name, first.text);
+            }
+            workbench.problem = problem.or(workbench.problem);
         }
         workbench
     }
@@ -182,7 +187,7 @@ impl Workbench {
         let palette = Palette::current(ui.ctx());
         let whole = ui.max_rect();
         ui.painter().rect_filled(whole, 0.0, palette.window);
-        let (bar, below) = whole.split_top_bottom_at_y(whole.top() + top_bar::HEIGHT);
+        let (bar, below) = whole.split_top_bottom_at_y(whole.top() + top_bar::height(self.open.as_ref()));
         self.top_bar(ui, bar);
         let mut below = below.shrink(GAP);
         if let Some(problem) = &self.problem {
@@ -219,7 +224,11 @@ impl Workbench {
         self.side_panel(ui, side);
         self.outline_panel(ui, middle);
         panel(ui, detail, "Selected event", |_| {}, |ui| detail_panel::ui(ui, self.recording.as_ref()));
-        panel(ui, plots, "Along the ray", |_| {}, |ui| self.plots.ui(ui, self.recording.as_ref()));
+        let mut clicked = None;
+        panel(ui, plots, "Along the ray", |_| {}, |ui| clicked = self.plots.ui(ui, self.recording.as_ref()));
+        if let Some(event) = clicked {
+            self.select(event);
+        }
     }
 
     fn picture_panel(&mut self, ui: &mut Ui, rect: Rect) {
@@ -304,8 +313,8 @@ fn progress(ctx: &Context, renderer: &Renderer, scene: &Scene) -> String {
 }
 
 /// The scene for the first visit.
-fn first_scene() -> Option<String> {
-    let scenes = embedded_scenes();
-    let hello = scenes.iter().find(|scene| scene.name.ends_with("hello"));
-    hello.or(scenes.first()).map(|scene| scene.name.clone())
+fn first_scene() -> Option<EmbeddedScene> {
+    let mut scenes = embedded_scenes();
+    let hello = scenes.iter().position(|scene| scene.name.starts_with("hello/")).unwrap_or(0);
+    (hello < scenes.len()).then(|| scenes.swap_remove(hello))
 }

@@ -12,7 +12,6 @@ mod stats;
 mod trace;
 
 use clap::{Parser, Subcommand};
-use failure::Failure;
 use std::process::ExitCode;
 
 const EXAMPLES: &str = "\

@@ -5,7 +5,6 @@ use super::output::Output;
 use crate::scene::{embedded_scenes, load};
 use clap::{Args, ValueEnum};
 use serde::Serialize;
-use std::fmt::Write;
 
 /// List the scenes that come with the program
 #[derive(Args, Debug)]
@@ -59,8 +58,9 @@ fn table(scenes: &[Listed]) -> String {
     let mut text = String::new();
     for Listed { name, title, sections } in scenes {
         let sections: Vec<String> = sections.iter().map(|section| format!("§ {section}")).collect();
-        // Writing to a String cannot fail.
-        let _ = writeln!(text, "{name:width$}  {title}  {}", sections.join(", "));
+        let line = format!("{name:width$}  {title}  {}", sections.join(", "));
+        text.push_str(line.trim_end());
+        text.push('\n');
     }
     text
 }

@@ -81,8 +81,9 @@ impl Trace {
         if let Some([origin, direction]) = self.ray {
             return Ok(record_ray(scene, origin, direction));
         }
-        let [x, y] = self.pixel.or_else(|| scene.pixels.first().copied()).unwrap_or_default();
         let (width, height) = (scene.image.width, scene.image.height);
+        let telling = scene.pixels.first().copied().unwrap_or([width / 2, height / 2]);
+        let [x, y] = self.pixel.unwrap_or(telling);
         if x >= width || y >= height {
             return Err(Failure::usage(format!(
                 "pixel {x},{y} lies outside the picture of {width} × {height} pixels; the last one is {},{}",

@@ -57,9 +57,7 @@ impl IntervalList {
         let mut all: Vec<_> = self
             .intervals
             .iter()
-            .flat_map(|interval| {
-                [interval.enter.map(|b| (b, Sense::Enter)), interval.leave.map(|b| (b, Sense::Leave))]
-            })
+            .flat_map(|interval| [interval.enter.map(|b| (b, Sense::Enter)), interval.leave.map(|b| (b, Sense::Leave))])
             .flatten()
             .chain(self.touches.iter().map(|&b| (b, Sense::Touch)))
             .collect();

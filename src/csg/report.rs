@@ -111,4 +111,3 @@ fn edge(leaf: &Leaf, boundary: &Boundary) -> Edge {
         flipped: boundary.flipped,
     }
 }
-

@@ -104,7 +104,7 @@ impl DoubleDouble {
 impl Add for DoubleDouble {
     type Output = Self;
 
-    /// Algorithm 6, AccurateDWPlusDW: relative error at most 3u².
+    /// Algorithm 6, `AccurateDWPlusDW`: relative error at most 3u².
     fn add(self, other: Self) -> Self {
         let (sum, error) = two_sum(self.high, other.high);
         let (low_sum, low_error) = two_sum(self.low, other.low);
@@ -133,7 +133,7 @@ impl Sub for DoubleDouble {
 impl Mul for DoubleDouble {
     type Output = Self;
 
-    /// Algorithm 11, DWTimesDW2: relative error at most 5u².
+    /// Algorithm 11, `DWTimesDW2`: relative error at most 5u².
     fn mul(self, other: Self) -> Self {
         let (product, error) = two_product(self.high, other.high);
         let cross = self.high * other.low + self.low * other.high;
@@ -170,7 +170,7 @@ impl PartialOrd for DoubleDouble {
 
 impl Real for DoubleDouble {
     /// 2⁻¹⁰³: the worst of the operations above, rounded up.
-    const UNIT_ROUNDOFF: f64 = 1.0 / ((1_u128 << 103) as f64);
+    const UNIT_ROUNDOFF: f64 = f64::EPSILON * f64::EPSILON * 2.0;
     const ZERO: Self = Self { high: 0.0, low: 0.0 };
     const ONE: Self = Self { high: 1.0, low: 0.0 };
 

@@ -92,9 +92,12 @@ impl<A: Real> Quartic<A> {
 /// leaves the bracket, or that shrinks by less than half, is replaced by bisection, so the work is bounded.
 pub fn root_between<A: Real>(mut low: A, mut high: A, rising: bool, function: impl Fn(A) -> (A, A)) -> A {
     let half = A::from_f64(0.5);
+    // A step this short makes the next one shorter than the last digit. Longer would lose digits; at a few roundings
+    // the noise of the function keeps the steps from ever getting there.
+    let short = A::from_f64(64.0 * A::UNIT_ROUNDOFF) * low.abs().max(high.abs());
     let mut x = low + (high - low) * half;
     let mut last_step = high - low;
-    // Bisection alone ends after at most as many steps as a number has bits, twice over for the double-double's gap.
+    // Bisection alone ends after as many steps as a number has bits, even with a Newton step before each.
     for _ in 0..256 {
         let (value, slope) = function(x);
         if value == A::ZERO {
@@ -107,19 +110,19 @@ pub fn root_between<A: Real>(mut low: A, mut high: A, rising: bool, function: im
         }
         let step = value / slope;
         let newton = x - step;
-        let next = if low < newton && newton < high && step.abs() < last_step.abs() * half {
-            last_step = step;
-            newton
+        if low < newton && newton < high && step.abs() < last_step * half {
+            if step.abs() <= short {
+                return newton;
+            }
+            (x, last_step) = (newton, step.abs());
         } else {
             last_step = (high - low) * half;
-            low + last_step
-        };
-        // A step below the last digit: the bracket's ends are neighbours, or Newton's method has arrived.
-        let arrived = (next - x).abs() <= A::from_f64(A::UNIT_ROUNDOFF) * x.abs();
-        if arrived || next == low || next == high {
-            return next;
+            let middle = low + last_step;
+            if middle == low || middle == high {
+                return middle;
+            }
+            x = middle;
         }
-        x = next;
     }
     x
 }

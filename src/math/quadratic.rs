@@ -31,7 +31,8 @@ impl<A: Real> Quadratic<A> {
     /// q = −(B + sign(B) √disc) adds numbers of one sign; the roots are q / A and C / q (Numerical Recipes § 5.6). Where
     /// A is 0 one of them is infinite, and where B is 0 too there is none.
     pub fn roots(&self) -> Option<[A; 2]> {
-        if self.discriminant < A::ZERO || self.discriminant != self.discriminant {
+        let real = self.discriminant >= A::ZERO;
+        if !real {
             return None;
         }
         let root = self.discriminant.sqrt();

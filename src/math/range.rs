@@ -101,7 +101,7 @@ mod tests {
     proptest! {
         #[test]
         fn sums_and_products_of_members_are_members(
-            a in -1e3..1e3, b in -1e3..1e3, c in -1e3..1e3, d in -1e3..1e3, s in 0.0..=1.0, t in 0.0..=1.0,
+            a in -1e3..1e3_f64, b in -1e3..1e3_f64, c in -1e3..1e3_f64, d in -1e3..1e3_f64, s in 0.0..=1.0_f64, t in 0.0..=1.0_f64,
         ) {
             let (first, second) = (Range::between(a, b), Range::between(c, d));
             let x = (first.low + (first.high - first.low) * s).clamp(first.low, first.high);

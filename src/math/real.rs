@@ -32,20 +32,25 @@ pub trait Real:
     /// The same number with more digits.
     fn widen(self) -> DoubleDouble;
     /// The square root; NaN for negative numbers.
+    #[must_use]
     fn sqrt(self) -> Self;
     /// The magnitude.
+    #[must_use]
     fn abs(self) -> Self;
     /// A non-negative number to a real power.
+    #[must_use]
     fn powf(self, exponent: Self) -> Self;
     /// a·b − c·d with an error of at most 2 ulp of the result (Kahan; Jeannerod, Louvet, Muller 2013).
     fn difference_of_products(a: Self, b: Self, c: Self, d: Self) -> Self;
 
     /// The smaller one.
+    #[must_use]
     fn min(self, other: Self) -> Self {
         if other < self { other } else { self }
     }
 
     /// The larger one.
+    #[must_use]
     fn max(self, other: Self) -> Self {
         if other > self { other } else { self }
     }

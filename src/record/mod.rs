@@ -4,12 +4,13 @@
 //! derive `Serialize` and `JsonSchema` because they *are* the exported trace format.
 
 mod event;
+mod parts;
 mod recorder;
+mod what;
 mod working;
 
-pub use event::{
-    Candidate, CandidateFate, Edge, Entry, Event, EventId, Operator, PlaneRow, PlaneSense, RayKind, Sense, Sign,
-    SignSpan, Source, Span, Triple, What,
-};
+pub use event::{Entry, Event, EventId, Source, Triple};
+pub use parts::{Candidate, CandidateFate, Edge, Operator, PlaneRow, PlaneSense, RayKind, Sense, Sign, SignSpan, Span};
 pub use recorder::{Counter, NullRecorder, Recorder};
+pub use what::What;
 pub use working::{Value, Working, format_number};

@@ -81,11 +81,7 @@ pub fn format_number(x: f64) -> String {
         return "0".to_owned();
     }
     let magnitude = x.abs();
-    let text = if (1e-4..1e7).contains(&magnitude) {
-        plain_decimal(magnitude)
-    } else {
-        power_of_ten(magnitude)
-    };
+    let text = if (1e-4..1e7).contains(&magnitude) { plain_decimal(magnitude) } else { power_of_ten(magnitude) };
     if x < 0.0 { format!("−{text}") } else { text }
 }
 

@@ -75,7 +75,9 @@ fn check_record(rules: &Rules, record: &Record, fields: &Map<String, Value>, pat
             Some(rule) => check(rules, rule, value, path.field(name), problems),
             None => {
                 let missing = record.fields.iter().map(|(field, _)| field.as_str());
-                problems.add_at_name(path.field(name), format!("unknown field `{name}`")).suggest("fields", name, missing);
+                problems
+                    .add_at_name(path.field(name), format!("unknown field `{name}`"))
+                    .suggest("fields", name, missing);
             }
         }
     }
@@ -101,7 +103,11 @@ fn check_tagged(
         Some(Value::String(name)) => match variants.iter().find(|(variant, _)| variant == name) {
             Some((_, record)) => check_record(rules, record, fields, path, problems),
             None => {
-                problems.add(path.field(tag), format!("unknown {tag} `{name}`")).suggest(&format!("{tag}s"), name, known);
+                problems.add(path.field(tag), format!("unknown {tag} `{name}`")).suggest(
+                    &format!("{tag}s"),
+                    name,
+                    known,
+                );
             }
         },
         Some(other) => {
@@ -114,9 +120,9 @@ fn check_tagged(
                 Some(name) => problems
                     .add_at_name(path.field(name), format!("unknown field `{name}`"))
                     .help(format!("did you mean `{tag}`?")),
-                None => problems
-                    .add(path, format!("the field `{tag}` is missing"))
-                    .suggest(&format!("{tag}s"), "", known),
+                None => {
+                    problems.add(path, format!("the field `{tag}` is missing")).suggest(&format!("{tag}s"), "", known)
+                }
             };
         }
     }
@@ -135,11 +141,15 @@ fn check_keyed(
     match present[..] {
         [(_, record)] => check_record(rules, record, fields, path, problems),
         [(first, _), (second, _), ..] => {
-            problems.add(path, format!("`{first}` and `{second}` cannot stand together")).help(format!("keep one of {}", list()));
+            problems
+                .add(path, format!("`{first}` and `{second}` cannot stand together"))
+                .help(format!("keep one of {}", list()));
         }
         [] => match fields.keys().find_map(|name| nearest(name, keys()).map(|near| (name, near))) {
             Some((name, near)) => {
-                problems.add_at_name(path.field(name), format!("unknown field `{name}`")).help(format!("did you mean `{near}`?"));
+                problems
+                    .add_at_name(path.field(name), format!("unknown field `{name}`"))
+                    .help(format!("did you mean `{near}`?"));
             }
             None => {
                 problems.add(path, format!("expected one of the fields {}", list()));

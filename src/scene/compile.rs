@@ -91,7 +91,8 @@ fn camera(file: CameraFile, problems: &mut Problems) -> Option<Camera> {
     let path = Path::Root.field("camera");
     let eye = DVec3::from_array(file.eye);
     let Some(forward) = unit(DVec3::from_array(file.look_at) - eye) else {
-        problems.add(path.field("look_at"), "`look_at` is the same point as `eye`, so there is no direction to look in");
+        problems
+            .add(path.field("look_at"), "`look_at` is the same point as `eye`, so there is no direction to look in");
         return None;
     };
     let Some(up) = unit(DVec3::from_array(file.up)) else {

@@ -21,8 +21,8 @@ pub use compile::load;
 pub use diagnostics::{Diagnostic, Diagnostics};
 pub use embedded::{EmbeddedScene, embedded_scene, embedded_scenes};
 pub use file::{
-    Ambient, Background, CameraFile, Colour, ImageFile, LightFile, LimitsFile, MOST_PIXELS, MaterialFile, MediaFile, SceneFile,
-    scene_schema,
+    Ambient, Background, CameraFile, Colour, ImageFile, LightFile, LimitsFile, MOST_PIXELS, MaterialFile, MediaFile,
+    SceneFile, scene_schema,
 };
 pub use lenient::Lenient;
 pub use model::{Camera, Image, Light, LightKind, Limits, Material, MediaPolicy, Object, Rgb, Scene};

@@ -40,10 +40,7 @@ impl Camera {
         let depth = from_eye.dot(self.forward);
         let across = from_eye.dot(self.right) / (depth * half_width);
         let upwards = from_eye.dot(self.up) / (depth * half_height);
-        let pixel = [
-            0.5 * (1.0 + across) * f64::from(image.width),
-            0.5 * (1.0 - upwards) * f64::from(image.height),
-        ];
+        let pixel = [0.5 * (1.0 + across) * f64::from(image.width), 0.5 * (1.0 - upwards) * f64::from(image.height)];
         (depth > 0.0 && pixel.iter().all(|x| x.is_finite())).then_some(pixel)
     }
 

@@ -72,7 +72,7 @@ impl Rules {
     /// Follows names to what they stand for.
     pub fn resolve<'a>(&'a self, rule: &'a Rule) -> &'a Rule {
         match rule {
-            // A schema that holds itself names itself so.
+            // A schema whose root lies within itself, as that of solids does.
             Rule::Named(name) if name == "#" => &self.root,
             Rule::Named(name) => self.named.get(name).map_or(rule, |rule| self.resolve(rule)),
             _ => rule,
@@ -168,7 +168,8 @@ fn choice(schemas: Vec<&Value>) -> Rule {
     if !rules.iter().all(|rule| matches!(rule, Rule::Record(_))) {
         return Rule::Either(rules);
     }
-    let records = rules.into_iter().filter_map(|rule| if let Rule::Record(record) = rule { Some(record) } else { None });
+    let records =
+        rules.into_iter().filter_map(|rule| if let Rule::Record(record) = rule { Some(record) } else { None });
     tagged_or_keyed(records.collect())
 }
 

@@ -152,9 +152,11 @@ impl<'a> SolidReader<'a> {
         let materials = self.materials?;
         let found = materials.get(name).copied();
         if found.is_none() {
-            self.problems
-                .add(path.field("material"), format!("unknown material `{name}`"))
-                .suggest("materials", name, materials.keys().copied());
+            self.problems.add(path.field("material"), format!("unknown material `{name}`")).suggest(
+                "materials",
+                name,
+                materials.keys().copied(),
+            );
         }
         // The first material stands in, so that the same mistake is not reported as a missing one.
         found.or(Some(0))
@@ -191,7 +193,11 @@ impl<'a> SolidReader<'a> {
         let name = value.get("solid")?.as_str()?;
         let Some(original) = self.named.get(name) else {
             let known = self.named.keys().map(String::as_str);
-            self.problems.add(path.field("solid"), format!("unknown solid `{name}`")).suggest("named solids", name, known);
+            self.problems.add(path.field("solid"), format!("unknown solid `{name}`")).suggest(
+                "named solids",
+                name,
+                known,
+            );
             return None;
         };
         if !self.follow_copies {
@@ -301,7 +307,10 @@ impl<'a> CircleSearch<'a> {
                 Some(start) => {
                     let circle = [&self.open[start..], &[name]].concat().join(" → ");
                     self.problems
-                        .add(path.field("solid"), format!("the named solids are copies of themselves in a circle: {circle}"))
+                        .add(
+                            path.field("solid"),
+                            format!("the named solids are copies of themselves in a circle: {circle}"),
+                        )
                         .help("a solid cannot be a part of itself; make one of them without the other");
                 }
                 None => self.visit(name),

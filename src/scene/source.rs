@@ -93,7 +93,9 @@ fn to_map(object: &Object, path: Path, problems: &mut Problems) -> Map<String, V
         let name = property.name.as_str();
         let value = to_value(&property.value, path.field(name), problems);
         if map.insert(name.to_owned(), value).is_some() {
-            problems.add_at_name(path.field(name), format!("`{name}` stands here more than once")).help("keep one of them");
+            problems
+                .add_at_name(path.field(name), format!("`{name}` stands here more than once"))
+                .help("keep one of them");
         }
     }
     map

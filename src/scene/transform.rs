@@ -34,7 +34,10 @@ impl Transform {
 
 fn scale(factors: [f64; 3]) -> Result<DAffine3, (&'static str, String)> {
     if factors.contains(&0.0) {
-        return Err(("", "a scale of 0 flattens the solid, so that the transform is singular (it has no inverse)".into()));
+        return Err((
+            "",
+            "a scale of 0 flattens the solid, so that the transform is singular (it has no inverse)".into(),
+        ));
     }
     Ok(DAffine3::from_scale(DVec3::from_array(factors)))
 }
@@ -115,6 +118,8 @@ mod tests {
     fn steps_without_an_inverse_are_refused() {
         assert!(Transform::Scale(Scale::PerAxis([1.0, 0.0, 1.0])).affine().is_err());
         assert!(Transform::Rotate { axis: [0.0; 3], degrees: 10.0 }.affine().is_err());
-        assert!(Transform::Matrix([[1.0, 2.0, 0.0, 0.0], [2.0, 4.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]]).affine().is_err());
+        assert!(
+            Transform::Matrix([[1.0, 2.0, 0.0, 0.0], [2.0, 4.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]]).affine().is_err()
+        );
     }
 }

@@ -68,7 +68,9 @@ impl ConvexPolyhedron {
         }
         let edges = edges(&planes);
         let bounds = bounds(&edges);
-        let centre = edges.iter().map(|[a, b]| (*a + *b) * 0.5).sum::<DVec3>() / edges.len().max(1) as f64;
+        let shares =
+            edges.iter().map(|[a, b]| (*a + *b, 2.0)).fold((DVec3::ZERO, 0.0), |sum, x| (sum.0 + x.0, sum.1 + x.1));
+        let centre = shares.0 / shares.1;
         if edges.is_empty() || planes.iter().any(|plane| !surely_inside(plane, centre)) {
             return Err("the planes leave no solid: no point lies strictly inside all of them".to_owned());
         }
@@ -148,19 +150,19 @@ fn edges(planes: &[HalfSpace]) -> Vec<[DVec3; 2]> {
 }
 
 /// The line in which two planes meet, from its point nearest to the origin; none where they are parallel.
-fn meeting_line(a: &HalfSpace, b: &HalfSpace) -> Option<GenericRay<DoubleDouble>> {
+fn meeting_line(first: &HalfSpace, second: &HalfSpace) -> Option<GenericRay<DoubleDouble>> {
     let scaled = |plane: &HalfSpace| {
         let scale = scale_to_unit(plane.normal.to_array());
         (wide(plane.normal * scale), DoubleDouble::from_f64(plane.offset * scale))
     };
-    let ((n, d), (m, e)) = (scaled(a), scaled(b));
+    let ((n, d), (m, e)) = (scaled(first), scaled(second));
     let direction = cross(n, m);
     let length_squared = dot(direction, direction);
     if length_squared.to_f64() < DoubleDouble::UNIT_ROUNDOFF {
         return None;
     }
-    let (first, second) = (cross(m, direction), cross(direction, n));
-    let origin = std::array::from_fn(|k| (d * first[k] + e * second[k]) / length_squared);
+    let (by_first, by_second) = (cross(m, direction), cross(direction, n));
+    let origin = std::array::from_fn(|k| (d * by_first[k] + e * by_second[k]) / length_squared);
     Some(GenericRay { origin, direction, t_per_tau: 1.0 })
 }
 
@@ -225,5 +227,94 @@ impl Primitive for ConvexPolyhedron {
 
     fn parts(&self) -> Vec<String> {
         (0..self.planes.len()).map(|k| format!("plane {k}")).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::testing::*;
+    use super::*;
+
+    fn plane(x: f64, y: f64, z: f64, offset: f64) -> HalfSpace {
+        HalfSpace { normal: DVec3::new(x, y, z), offset }
+    }
+
+    fn tetrahedron() -> Vec<HalfSpace> {
+        vec![
+            plane(1.0, 1.0, 1.0, 1.0),
+            plane(-1.0, -1.0, 1.0, 1.0),
+            plane(-1.0, 1.0, -1.0, 1.0),
+            plane(1.0, -1.0, -1.0, 1.0),
+        ]
+    }
+
+    #[test]
+    fn a_ray_through_a_tetrahedron_enters_and_leaves() {
+        // At x = 0.5, y = 0 the planes leave −0.5 ≤ z ≤ 0.5.
+        let solid = ConvexPolyhedron::new(tetrahedron()).unwrap();
+        expect(&solid, [0.5, 0.0, -2.0], [0.0, 0.0, 1.0], &[(1.5, Enter, "plane 3"), (2.5, Leave, "plane 0")]);
+        expect(&solid, [0.5, 0.0, 0.0], [0.0, 0.0, 1.0], &[(-0.5, Enter, "plane 3"), (0.5, Leave, "plane 0")]);
+        expect(&solid, [0.5, 0.0, 2.0], [0.0, 0.0, 1.0], &[(-2.5, Enter, "plane 3"), (-1.5, Leave, "plane 0")]);
+        expect(&solid, [1.5, 0.0, -2.0], [0.0, 0.0, 1.0], &[]);
+    }
+
+    #[test]
+    fn a_ray_that_touches_an_edge_or_a_vertex_has_no_hits() {
+        // The edge from (1, −1, 1) to (−1, 1, 1), and the vertex (1, −1, 1).
+        let solid = ConvexPolyhedron::new(tetrahedron()).unwrap();
+        expect(&solid, [-3.0, -3.0, 1.0], [1.0, 1.0, 0.0], &[]);
+        expect(&solid, [1.0, -1.0, -2.0], [0.0, 0.0, 1.0], &[]);
+    }
+
+    #[test]
+    fn a_tetrahedron_has_six_edges_and_its_box() {
+        let solid = ConvexPolyhedron::new(tetrahedron()).unwrap();
+        assert_eq!(solid.outline().len(), 6);
+        assert!((solid.bounds().high - DVec3::ONE).abs().max_element() < 1e-15);
+        assert!((solid.bounds().low + DVec3::ONE).abs().max_element() < 1e-15);
+    }
+
+    #[test]
+    fn planes_given_twice_and_planes_that_cut_nothing_do_no_harm() {
+        let mut planes = tetrahedron();
+        planes.extend([plane(2.0, 2.0, 2.0, 2.0), plane(0.0, 0.0, 1.0, 50.0)]);
+        let solid = ConvexPolyhedron::new(planes).unwrap();
+        assert_eq!(solid.outline().len(), 6);
+        assert_eq!(hits(&solid, [0.5, 0.0, -2.0], [0.0, 0.0, 1.0]).len(), 2);
+    }
+
+    #[test]
+    fn what_is_no_solid_is_refused_with_the_reason() {
+        let refused = |planes: Vec<HalfSpace>| ConvexPolyhedron::new(planes).unwrap_err();
+        assert_eq!(
+            refused(tetrahedron()[..3].to_vec()),
+            "a convex polyhedron is unbounded with 3 planes; it needs 4 or more"
+        );
+        let mut zero = tetrahedron();
+        zero[2].normal = DVec3::ZERO;
+        assert_eq!(refused(zero), "plane 2 has the normal (0, 0, 0); a plane needs a direction");
+        let mut endless = tetrahedron();
+        endless[3].offset = f64::INFINITY;
+        assert_eq!(refused(endless), "plane 3 holds a number that is not finite");
+        let tube = vec![
+            plane(1.0, 0.0, 0.0, 1.0),
+            plane(-1.0, 0.0, 0.0, 1.0),
+            plane(0.0, 1.0, 0.0, 1.0),
+            plane(0.0, -1.0, 0.0, 1.0),
+        ];
+        assert!(refused(tube.clone()).starts_with("the polyhedron is unbounded"));
+        let half_tube = [tube, vec![plane(0.0, 0.0, 1.0, 1.0)]].concat();
+        assert!(refused(half_tube.clone()).contains("direction (0.000, 0.000, -1.000)"));
+        let layers = vec![
+            plane(0.0, 0.0, 1.0, 1.0),
+            plane(0.0, 0.0, 2.0, 1.0),
+            plane(0.0, 0.0, -1.0, 1.0),
+            plane(0.0, 0.0, -3.0, 1.0),
+        ];
+        assert!(refused(layers).starts_with("the polyhedron is unbounded"));
+        let none = [half_tube.clone(), vec![plane(0.0, 0.0, -1.0, -2.0)]].concat();
+        assert!(refused(none).starts_with("the planes leave no solid"));
+        let flat = [half_tube, vec![plane(0.0, 0.0, -1.0, -1.0)]].concat();
+        assert!(refused(flat).starts_with("the planes leave no solid"));
     }
 }

@@ -104,3 +104,80 @@ impl Primitive for Cube {
         NAMES.map(str::to_owned).to_vec()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::testing::*;
+    use super::*;
+    use crate::record::{PlaneSense, What};
+
+    #[test]
+    fn hit_behind_and_inside() {
+        expect(&Cube, [-3.0, 0.5, 0.0], [1.0, 0.0, 0.0], &[(2.0, Enter, "left"), (4.0, Leave, "right")]);
+        expect(&Cube, [-3.0, 0.5, 0.0], [-2.0, 0.0, 0.0], &[(-2.0, Enter, "right"), (-1.0, Leave, "left")]);
+        expect(&Cube, [0.0, 0.0, 0.5], [0.0, 0.0, 1.0], &[(-1.5, Enter, "back"), (0.5, Leave, "front")]);
+        expect(&Cube, [0.0, 2.0, 0.0], [0.0, -1.0, 0.0], &[(1.0, Enter, "top"), (3.0, Leave, "bottom")]);
+    }
+
+    #[test]
+    fn a_ray_that_touches_an_edge_or_a_corner_has_no_hits() {
+        expect(&Cube, [2.0, 0.0, 0.0], [-1.0, 1.0, 0.0], &[]);
+        expect(&Cube, [2.0, 0.0, 1.0], [-1.0, 1.0, 0.0], &[]);
+    }
+
+    #[test]
+    fn a_ray_in_a_face_runs_inside_the_closed_cube() {
+        expect(&Cube, [-3.0, 1.0, 0.25], [1.0, 0.0, 0.0], &[(2.0, Enter, "left"), (4.0, Leave, "right")]);
+        expect(&Cube, [-3.0, 1.0_f64.next_up(), 0.25], [1.0, 0.0, 0.0], &[]);
+    }
+
+    #[test]
+    fn the_plane_table_is_filled_in_as_on_paper() {
+        let (reports, hits) = record(&Cube, DVec3::new(-3.0, 1.5, 0.0), DVec3::new(2.0, -1.0, 0.25));
+        let What::Planes { rows, stopped } = &reports[0] else { panic!("{reports:?}") };
+        let (entering, leaving) = (PlaneSense::Entering, PlaneSense::Leaving);
+        let expected = [
+            ("top", -0.5, -1.0, 0.5, entering, Some(0.5), None),
+            ("bottom", 2.5, 1.0, 2.5, leaving, Some(0.5), Some(2.5)),
+            ("right", 4.0, 2.0, 2.0, leaving, Some(0.5), Some(2.0)),
+            ("left", -2.0, -2.0, 1.0, entering, Some(1.0), Some(2.0)),
+            ("front", 1.0, 0.25, 4.0, leaving, Some(1.0), Some(2.0)),
+            ("back", 1.0, -0.25, -4.0, entering, Some(1.0), Some(2.0)),
+        ];
+        assert_eq!(rows.len(), 6);
+        for (number, (row, (name, numerator, denominator, t, sense, t_in, t_out))) in
+            rows.iter().zip(expected).enumerate()
+        {
+            assert_eq!((row.plane, row.name.as_str()), (number, name));
+            assert_eq!((row.numerator, row.denominator, row.t), (numerator, denominator, Some(t)));
+            assert_eq!((row.sense, row.t_in, row.t_out), (sense, t_in, t_out));
+        }
+        assert_eq!(*stopped, None);
+        assert_eq!(hits.iter().map(|hit| hit.t).collect::<Vec<_>>(), [1.0, 2.0]);
+    }
+
+    #[test]
+    fn the_table_stops_as_soon_as_the_ray_leaves_before_it_enters() {
+        // Top is entered at 8, right is left at 4.
+        let (reports, hits) = record(&Cube, DVec3::new(-3.0, 3.0, 0.0), DVec3::new(1.0, -0.25, 0.0));
+        let What::Planes { rows, stopped } = &reports[0] else { panic!("{reports:?}") };
+        assert_eq!(rows.len(), 3);
+        assert_eq!(stopped.as_deref(), Some("t_in = 8 > t_out = 4, so the ray misses"));
+        assert!(hits.is_empty());
+    }
+
+    #[test]
+    fn the_table_stops_at_a_plane_that_the_ray_runs_beside_outside() {
+        let (reports, _) = record(&Cube, DVec3::new(-3.0, 2.0, 0.0), DVec3::X);
+        let What::Planes { rows, stopped } = &reports[0] else { panic!("{reports:?}") };
+        assert_eq!((rows.len(), rows[0].sense, rows[0].t), (1, PlaneSense::ParallelOutside, None));
+        assert_eq!(stopped.as_deref(), Some("the ray runs beside top on its outside, so it misses"));
+    }
+
+    #[test]
+    fn faces_are_upright_from_outside() {
+        assert_eq!(Cube.uv(DVec3::new(1.0, 1.0, 1.0), 4), DVec2::ONE);
+        assert_eq!(Cube.uv(DVec3::new(1.0, 1.0, 1.0), 2), DVec2::new(0.0, 1.0));
+        assert_eq!(Cube.uv(DVec3::new(-1.0, 1.0, 1.0), 0), DVec2::ZERO);
+    }
+}

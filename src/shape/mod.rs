@@ -4,10 +4,13 @@
 //! scene file with their schema, and the battery of tests that every shape has to pass. Adding a primitive means one
 //! new file and one new row.
 
+#[cfg(test)]
+mod battery;
 mod boundary;
 mod convex_polyhedron;
 mod cube;
 mod cylinder;
+mod gauge;
 mod outline;
 mod plane;
 mod planes;
@@ -18,6 +21,9 @@ mod square;
 mod superellipsoid;
 mod superellipsoid_search;
 mod tapered_cylinder;
+mod tapered_wall;
+#[cfg(test)]
+mod testing;
 mod torus;
 
 pub use convex_polyhedron::{ConvexPolyhedron, HalfSpace};

@@ -92,3 +92,27 @@ impl Primitive for Plane {
         vec!["surface".to_owned()]
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::testing::*;
+    use super::*;
+
+    #[test]
+    fn a_ray_from_above_enters_and_one_from_below_leaves() {
+        expect(&Plane, [5.0, 7.0, 3.0], [0.0, 1.0, -2.0], &[(1.5, Enter, "surface")]);
+        expect(&Plane, [5.0, 7.0, -3.0], [0.0, 1.0, 2.0], &[(1.5, Leave, "surface")]);
+    }
+
+    #[test]
+    fn the_hit_may_lie_behind_or_at_the_start() {
+        expect(&Plane, [0.0, 0.0, 3.0], [0.0, 0.0, 2.0], &[(-1.5, Leave, "surface")]);
+        expect(&Plane, [1.0, 0.0, 0.0], [1.0, 0.0, -1.0], &[(0.0, Enter, "surface")]);
+    }
+
+    #[test]
+    fn a_parallel_ray_never_crosses() {
+        expect(&Plane, [0.0, 0.0, 1.0], [1.0, 1.0, 0.0], &[]);
+        expect(&Plane, [0.0, 0.0, -1.0], [1.0, 1.0, 0.0], &[]);
+    }
+}

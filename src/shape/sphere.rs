@@ -11,7 +11,7 @@
 //! ```
 //! **Equation** F = x² + y² + z² − 1.
 //!
-//! **Ray equation** With t measured from the foot of the perpendicular, t₀ = −S·c / c·c, and l = S + c t₀, the linear term
+//! **Ray equation** With t measured from the foot of the perpendicular, t₀ = −(S·c) / (c·c), and l = S + c t₀, the linear term
 //! is gone: c·c (t − t₀)² + l·l − 1 = 0. The hits lie at t₀ ± √(−C / A) with A = c·c and C = l·l − 1.
 //!
 //! **Accuracy** Without the foot the squares of a far S cancel, and digits are lost with the square of the distance. With
@@ -152,7 +152,7 @@ fn working<A: Real>(ray: &GenericRay<A>, chord: &Chord) -> Entry {
         recentred_at: foot,
         roots: roots.clone(),
     })
-    .line("t₀", "−S·c / c·c", &bindings, foot)
+    .line("t₀", "−(S·c) / (c·c)", &bindings, foot)
     .line("l", "S + c t₀", &bindings, chord.nearest)
     .line("A", "c·c", &bindings, a)
     .line("B", "c·l", &bindings, 0.0)
@@ -162,4 +162,68 @@ fn working<A: Real>(ray: &GenericRay<A>, chord: &Chord) -> Entry {
         entry = entry.line("t₁", "t₀ − √(−C / A)", &bindings, first).line("t₂", "t₀ + √(−C / A)", &bindings, second);
     }
     entry
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::testing::*;
+    use super::*;
+
+    #[test]
+    fn a_ray_through_the_middle_enters_and_leaves() {
+        expect(&Sphere, [3.0, 0.0, 0.0], [-1.0, 0.0, 0.0], &[(2.0, Enter, "surface"), (4.0, Leave, "surface")]);
+    }
+
+    #[test]
+    fn the_direction_keeps_its_length() {
+        expect(&Sphere, [3.0, 0.0, 0.0], [-0.5, 0.0, 0.0], &[(4.0, Enter, "surface"), (8.0, Leave, "surface")]);
+    }
+
+    #[test]
+    fn a_tangent_ray_has_no_hits() {
+        expect(&Sphere, [-2.0, 1.0, 0.0], [1.0, 0.0, 0.0], &[]);
+        expect(&Sphere, [-3.0, 0.6, 0.8], [7.0, 0.0, 0.0], &[]);
+    }
+
+    #[test]
+    fn a_ray_beside_it_misses() {
+        expect(&Sphere, [-2.0, 1.5, 0.0], [1.0, 0.0, 0.0], &[]);
+    }
+
+    #[test]
+    fn a_ray_from_inside_has_one_hit_on_either_side() {
+        expect(&Sphere, [0.0; 3], [0.0, 0.0, 2.0], &[(-0.5, Enter, "surface"), (0.5, Leave, "surface")]);
+    }
+
+    #[test]
+    fn hits_behind_the_start_are_found_too() {
+        expect(&Sphere, [3.0, 0.0, 0.0], [1.0, 0.0, 0.0], &[(-4.0, Enter, "surface"), (-2.0, Leave, "surface")]);
+    }
+
+    #[test]
+    fn a_hundred_million_radii_away_it_still_has_its_width() {
+        // The half chord at the height 0.6 is 0.8.
+        let hits = solve::<f64>(&Sphere, DVec3::new(1e8, 0.6, 0.0), DVec3::NEG_X);
+        assert_eq!(hits.iter().map(|hit| hit.t - 1e8).collect::<Vec<_>>(), [-0.8, 0.8].map(|t| (1e8 + t) - 1e8));
+    }
+
+    #[test]
+    fn the_quadratic_is_shown_about_the_foot() {
+        let (reports, _) = record(&Sphere, DVec3::new(3.0, 0.6, 0.0), DVec3::new(-2.0, 0.0, 0.0));
+        let What::Quadratic { a, b, c, discriminant, recentred_at, roots, .. } = &reports[0] else {
+            panic!("{reports:?}")
+        };
+        // A = 2², C = 0.6² − 1 = −0.64, and t = 1.5 ± 0.8 / 2.
+        assert_eq!((*a, *b, *recentred_at), (4.0, 0.0, 1.5));
+        assert!((c + 0.64).abs() < 1e-15 && (discriminant - 2.56).abs() < 1e-15);
+        assert!((roots[0] - 1.1).abs() < 1e-15 && (roots[1] - 1.9).abs() < 1e-15);
+    }
+
+    #[test]
+    fn poles_and_equator_have_their_coordinates() {
+        assert_eq!(Sphere.uv(DVec3::X, 0), DVec2::new(0.0, 0.5));
+        assert_eq!(Sphere.uv(DVec3::Y, 0), DVec2::new(0.25, 0.5));
+        assert_eq!(Sphere.uv(DVec3::Z, 0).y, 1.0);
+        assert_eq!(Sphere.uv(DVec3::NEG_Z, 0).y, 0.0);
+    }
 }

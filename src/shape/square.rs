@@ -116,3 +116,44 @@ fn outside<A: Real>(square: Square, ray: &GenericRay<A>, tau: f64) -> Candidate 
     let reason = format!("the plane is hit, but outside the square: |{name}| = {} > 1", format_number(value.abs()));
     report::rejected(&square, ray, (tau, 0, Sense::Touch), reason)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::testing::*;
+    use super::*;
+    use crate::record::What;
+
+    #[test]
+    fn a_ray_through_the_square_touches_it() {
+        expect(&Square, [0.5, -0.5, 2.0], [0.0, 0.0, -1.0], &[(2.0, Touch, "surface")]);
+        expect(&Square, [0.5, -0.5, 2.0], [0.0, 0.0, 4.0], &[(-0.5, Touch, "surface")]);
+    }
+
+    #[test]
+    fn edges_and_corners_belong_to_it_and_the_next_number_does_not() {
+        expect(&Square, [1.0, 1.0, 1.0], [0.0, 0.0, -1.0], &[(1.0, Touch, "surface")]);
+        expect(&Square, [2.0, 0.0, 1.0], [-1.0, 0.0, -1.0], &[(1.0, Touch, "surface")]);
+        expect(&Square, [1.0_f64.next_up(), 0.0, 1.0], [0.0, 0.0, -1.0], &[]);
+    }
+
+    #[test]
+    fn a_ray_that_hits_the_plane_beside_it_is_rejected_with_the_reason() {
+        let (reports, hits) = record(&Square, DVec3::new(1.5, 0.25, 1.0), DVec3::NEG_Z);
+        assert!(hits.is_empty());
+        let Some(What::Roots { candidates }) = reports.last() else { panic!("{reports:?}") };
+        assert_eq!(candidates[0].reason, "the plane is hit, but outside the square: |x| = 1.5 > 1");
+        assert_eq!(candidates[0].t, 1.0);
+    }
+
+    #[test]
+    fn a_parallel_ray_misses_even_within_the_plane() {
+        expect(&Square, [0.0, 0.0, 1.0], [1.0, 0.0, 0.0], &[]);
+        expect(&Square, [-3.0, 0.0, 0.0], [1.0, 0.0, 0.0], &[]);
+    }
+
+    #[test]
+    fn the_corners_have_the_corners_of_the_texture() {
+        assert_eq!(Square.uv(DVec3::new(-1.0, -1.0, 0.0), 0), DVec2::ZERO);
+        assert_eq!(Square.uv(DVec3::new(1.0, 1.0, 0.0), 0), DVec2::ONE);
+    }
+}

@@ -24,7 +24,8 @@
 //! **Source** A. H. Barr, "Superquadrics and angle-preserving transformations", IEEE CG&A 1(1), 1981; D. P. Mitchell,
 //! "Robust ray intersection with interval arithmetic", Graphics Interface 1990.
 
-use super::superellipsoid_search::{Exponents, Findings, search};
+use super::gauge::Exponents;
+use super::superellipsoid_search::{Findings, search};
 use super::{Bounds, Crossing, GenericRay, Part, Primitive, boundary, boundary::Root, report};
 use crate::math::Real;
 use crate::record::{Entry, Recorder, Sense, Value, What, format_number};
@@ -151,5 +152,77 @@ impl Superellipsoid {
             entry = entry.line(&symbol, "(|x|^n + |y|^n)^(m/n) + |z|^m − 1", &bindings, value);
         }
         entry
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::testing::*;
+    use super::*;
+
+    fn times(n: f64, m: f64, origin: [f64; 3], direction: [f64; 3]) -> Vec<f64> {
+        let shape = Superellipsoid::new(n, m).unwrap();
+        solve::<f64>(&shape, origin.into(), direction.into()).iter().map(|hit| hit.t).collect()
+    }
+
+    #[track_caller]
+    fn near(found: &[f64], expected: &[f64]) {
+        assert_eq!(found.len(), expected.len(), "{found:?} for {expected:?}");
+        assert!(found.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-14), "{found:?} for {expected:?}");
+    }
+
+    #[test]
+    fn with_exponents_of_two_it_is_the_sphere() {
+        near(&times(2.0, 2.0, [3.0, 0.0, 0.0], [-1.0, 0.0, 0.0]), &[2.0, 4.0]);
+        near(&times(2.0, 2.0, [-2.0, 0.6, 0.0], [1.0, 0.0, 0.0]), &[1.2, 2.8]);
+        assert!(times(2.0, 2.0, [-2.0, 1.0, 0.0], [1.0, 0.0, 0.0]).is_empty());
+        assert!(times(2.0, 2.0, [-2.0, 1.5, 0.0], [1.0, 0.0, 0.0]).is_empty());
+    }
+
+    #[test]
+    fn with_exponents_of_one_it_is_the_octahedron() {
+        near(&times(1.0, 1.0, [2.0, 2.0, 2.0], [-1.0, -1.0, -1.0]), &[5.0 / 3.0, 7.0 / 3.0]);
+        near(&times(1.0, 1.0, [-2.0, 0.25, 0.25], [1.0, 0.0, 0.0]), &[1.5, 2.5]);
+        assert!(times(1.0, 1.0, [-2.0, 0.5, 0.5], [1.0, 0.0, 0.0]).is_empty());
+    }
+
+    #[test]
+    fn inside_and_behind() {
+        near(&times(4.0, 4.0, [0.0, 0.0, 0.5], [0.0, 0.0, 1.0]), &[-1.5, 0.5]);
+        near(&times(4.0, 4.0, [3.0, 0.0, 0.0], [2.0, 0.0, 0.0]), &[-2.0, -1.0]);
+    }
+
+    #[test]
+    fn a_hollow_one_is_met_where_the_roots_add_up_to_one() {
+        // √|x| + √0.25 = 1 at x = ±0.25.
+        near(&times(0.5, 0.5, [-1.0, 0.25, 0.0], [1.0, 0.0, 0.0]), &[0.75, 1.25]);
+    }
+
+    #[test]
+    fn a_ray_past_the_hollow_cuts_two_tips() {
+        // On x + y = 0.9: √x + √y = 1 at x = ((1 ± √0.8) / 2)², and past the axes √0.9025 + √0.0025 = 1.
+        let inner = ((1.0 + 0.8_f64.sqrt()) / 2.0).powi(2);
+        let found = times(0.5, 0.5, [1.0, -0.1, 0.0], [-1.0, 1.0, 0.0]);
+        near(&found, &[0.0975, 1.0 - inner, 0.1 + inner, 1.0025]);
+    }
+
+    #[test]
+    fn a_ray_that_touches_a_flat_pole_has_no_hits() {
+        assert!(times(4.0, 4.0, [-2.0, 0.0, 1.0], [1.0, 0.0, 0.0]).is_empty());
+        assert!(times(0.5, 3.0, [-2.0, -2.0, 1.0], [1.0, 1.0, 0.0]).is_empty());
+    }
+
+    #[test]
+    fn an_easy_ray_leaves_nothing_undecided() {
+        let shape = Superellipsoid::new(0.7, 3.0).unwrap();
+        let (reports, _) = record(&shape, DVec3::new(3.0, 1.0, 0.5), DVec3::new(-3.0, -0.8, -0.4));
+        let What::Search { stretches, undecided, roots, range } = &reports[0] else { panic!("{reports:?}") };
+        assert!(*undecided == 0 && *stretches < 100 && range.is_some() && roots.len() == 2, "{reports:?}");
+    }
+
+    #[test]
+    fn exponents_of_zero_are_refused() {
+        assert_eq!(Superellipsoid::new(0.0, 2.0).unwrap_err(), "n is 0; an exponent needs to be more than 0");
+        assert_eq!(Superellipsoid::new(2.0, -1.0).unwrap_err(), "m is -1; an exponent needs to be more than 0");
     }
 }

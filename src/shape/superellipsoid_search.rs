@@ -11,64 +11,8 @@
 //! holds of g where n and m lie on one side of 1.
 
 use super::GenericRay;
+use super::gauge::{Bend, Exponents, norm, product};
 use crate::math::{DoubleDouble, Range, Real, root_between};
-
-/// n and m.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Exponents {
-    /// The exponent of x and y.
-    pub n: f64,
-    /// The exponent of z.
-    pub m: f64,
-}
-
-/// (uᵖ + vᵖ)^(1/p) for u, v ≥ 0, with its partial derivatives.
-///
-/// The larger one is taken out, so that nothing overflows. The derivatives at (0, 0) are undefined.
-fn norm<A: Real>(p: f64, u: A, v: A) -> (A, [A; 2]) {
-    let (most, least) = (u.max(v), u.min(v));
-    let ratio = least / most;
-    let power = ratio.powf(A::from_f64(p));
-    let sum = A::ONE + power;
-    let factor = sum.powf(A::from_f64(1.0) / A::from_f64(p));
-    let value = if most > A::ZERO { most * factor } else { A::ZERO };
-    let along_most = factor / sum;
-    // (least / value)^(p − 1); at least = 0 the limit.
-    let along_least = if ratio > A::ZERO {
-        along_most * power / ratio
-    } else if p < 1.0 {
-        A::from_f64(f64::INFINITY)
-    } else if p > 1.0 {
-        A::ZERO
-    } else {
-        along_most
-    };
-    (value, if u >= v { [along_most, along_least] } else { [along_least, along_most] })
-}
-
-impl Exponents {
-    /// g at a point with no negative coordinate, and its gradient.
-    pub fn gauge<A: Real>(&self, [x, y, z]: [A; 3]) -> (A, [A; 3]) {
-        let (radius, along) = norm(self.n, x, y);
-        let (value, [along_radius, along_z]) = norm(self.m, radius, z);
-        (value, [product(along_radius, along[0]), product(along_radius, along[1]), along_z])
-    }
-
-    /// Bound on the relative error of g: five roundings, magnified by the roots.
-    fn rounding<A: Real>(&self) -> f64 {
-        16.0 * A::UNIT_ROUNDOFF * (2.0 + 1.0 / self.n + 1.0 / self.m)
-    }
-
-    /// Whether g is convex or concave on a whole stretch.
-    fn bends_one_way(&self) -> bool {
-        (self.n >= 1.0 && self.m >= 1.0) || (self.n <= 1.0 && self.m <= 1.0)
-    }
-}
-
-/// Zero times infinity is zero: a direction that does not change a coordinate is not moved by it.
-fn product<A: Real>(a: A, b: A) -> A {
-    if a == A::ZERO || b == A::ZERO { A::ZERO } else { a * b }
-}
 
 /// What the search came to, in τ.
 pub(super) struct Findings {
@@ -152,16 +96,22 @@ struct Probe {
     delta: f64,
     /// |x|, |y|, |z|.
     place: [f64; 3],
-    /// (|x|ⁿ + |y|ⁿ)^(1/n).
+    /// (|x|ⁿ + |y|ⁿ)^(1/n), and its derivatives by |x| and |y|.
     radius: f64,
+    radius_along: [f64; 2],
+    /// g, and its derivatives by that radius and |z|.
     value: f64,
+    value_along: [f64; 2],
+    /// The sign of g − 1, 0 where even 32 digits do not tell.
+    sign: i8,
 }
 
-/// Slopes along a stretch, seen from one of its ends.
-#[derive(Clone, Copy)]
-struct Slopes {
-    radius: f64,
-    value: f64,
+impl Probe {
+    /// The slopes of the radius and of g, as δ grows.
+    fn slopes(&self, motion: [f64; 3]) -> (f64, f64) {
+        let radius = product(self.radius_along[0], motion[0]) + product(self.radius_along[1], motion[1]);
+        (radius, product(self.value_along[0], radius) + product(self.value_along[1], motion[2]))
+    }
 }
 
 /// A stretch of the ray with its ends.
@@ -169,7 +119,6 @@ struct Slopes {
 struct Stretch {
     from: Probe,
     to: Probe,
-    sign_at_end: i8,
 }
 
 /// Stretches that are bounded at most; ten times what the worst ray was seen to need. Fewer would leave touches of sharp
@@ -200,12 +149,14 @@ pub(super) fn search<A: Real>(exponents: Exponents, ray: &GenericRay<A>) -> Find
         .chain([(from, None), (to, None)])
         .collect();
     cuts.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let mut start = search.probe(from, None);
+    // Outside of the box g is above 1.
+    let mut start = Probe { sign: 1, ..search.probe(from, None) };
     for &(delta, axis) in &cuts[1..] {
-        let end = search.probe(delta, axis);
-        // Beyond the box everything is outside.
-        let sign_at_end = if delta == to { 1 } else { search.sign(&end, axis) };
-        search.work_through(Stretch { from: start, to: end, sign_at_end });
+        let mut end = search.probe(delta, axis);
+        if delta >= to {
+            end.sign = 1;
+        }
+        search.work_through(Stretch { from: start, to: end });
         start = end;
     }
     search.findings
@@ -218,23 +169,38 @@ impl<A: Real> Search<'_, A> {
             place[axis] = 0.0;
         }
         let [x, y, z] = place;
-        let radius = norm(self.exponents.n, x, y).0;
-        Probe { delta, place, radius, value: norm(self.exponents.m, radius, z).0 }
+        let Exponents { n, m } = self.exponents;
+        // Derivatives depend on the direction alone, so where both arguments are zero the limit along the ray is taken.
+        let speeds = self.plain.axes.map(|axis| axis.speed.abs());
+        let (mut radius, mut radius_along) = norm(n, x, y);
+        let mut arguments = (radius, z);
+        if x == 0.0 && y == 0.0 {
+            let (speed, along) = norm(n, speeds[0], speeds[1]);
+            (radius, radius_along) = (0.0, if speed > 0.0 { along } else { [0.0; 2] });
+            if z == 0.0 {
+                arguments = (speed, speeds[2]);
+            }
+        }
+        let value = norm(m, radius, z).0;
+        let value_along = norm(m, arguments.0, arguments.1).1;
+        let sign = self.sign(delta, value, zero_axis);
+        Probe { delta, place, radius, radius_along, value, value_along, sign }
     }
 
-    /// The sign of g − 1: with 32 digits where 16 do not tell, and 0 where these do not either.
-    fn sign(&self, probe: &Probe, zero_axis: Option<usize>) -> i8 {
-        let excess = probe.value - 1.0;
+    /// The sign of g − 1: with 32 digits where 16 do not tell.
+    fn sign(&self, delta: f64, value: f64, zero_axis: Option<usize>) -> i8 {
+        let excess = value - 1.0;
         if excess.abs() > self.exponents.rounding::<f64>() {
             return if excess > 0.0 { 1 } else { -1 };
         }
         let wide = Line::new(&self.ray.widen());
-        let mut place = wide.at(DoubleDouble::from_f64(probe.delta)).map(Real::abs);
+        let mut place = wide.at(DoubleDouble::from_f64(delta)).map(Real::abs);
         if let Some(axis) = zero_axis {
             place[axis] = DoubleDouble::ZERO;
         }
         let (value, _) = self.exponents.gauge(place);
         let excess = (value - DoubleDouble::ONE).to_f64();
+        // Powers lose some digits of the 32.
         if excess.abs() <= 1e4 * self.exponents.rounding::<DoubleDouble>() {
             0
         } else if excess > 0.0 {
@@ -253,20 +219,19 @@ impl<A: Real> Search<'_, A> {
         while let Some(stretch) = waiting.pop() {
             self.findings.stretches += 1;
             if self.decided(&stretch, motion) {
-                self.arrive(stretch.to.delta, stretch.sign_at_end);
+                self.arrive(&stretch.to);
                 continue;
             }
             let middle = 0.5 * (stretch.from.delta + stretch.to.delta);
             let neighbours = middle <= stretch.from.delta || middle >= stretch.to.delta;
             if neighbours || self.findings.stretches >= MOST_STRETCHES {
                 self.findings.undecided += 1;
-                self.arrive(stretch.to.delta, stretch.sign_at_end);
+                self.arrive(&stretch.to);
                 continue;
             }
             let middle = self.probe(middle, None);
-            let sign = self.sign(&middle, None);
             waiting.push(Stretch { from: middle, ..stretch });
-            waiting.push(Stretch { to: middle, sign_at_end: sign, ..stretch });
+            waiting.push(Stretch { to: middle, ..stretch });
         }
     }
 
@@ -274,16 +239,34 @@ impl<A: Real> Search<'_, A> {
     fn decided(&self, stretch: &Stretch, motion: [f64; 3]) -> bool {
         let widening = self.exponents.rounding::<f64>();
         let (from, to) = (&stretch.from, &stretch.to);
-        let (start, end) = (self.slopes(from, motion), self.slopes(to, motion));
-        let radius_slope = Range::between(start.radius, end.radius).widened(4.0 * widening);
-        let z = Range::between(from.place[2], to.place[2]);
+        let bend = self.exponents.bend();
+        // A convex function is below zero on at most one stretch, which holds the ends that are; a concave one above.
+        let other = match bend {
+            Bend::Convex => -1,
+            Bend::Concave => 1,
+            Bend::Unknown => 2,
+        };
+        if from.sign == other || to.sign == other {
+            return true;
+        }
+        let (start, end) = (from.slopes(motion), to.slopes(motion));
+        let radius_slope = Range::between(start.0, end.0).widened(4.0 * widening);
         let radius = self.radii(stretch, radius_slope);
-        let slope = if self.exponents.bends_one_way() {
-            Range::between(start.value, end.value).widened(4.0 * widening)
-        } else {
+        let z = Range::between(from.place[2], to.place[2]);
+        let slope = if bend == Bend::Unknown {
             self.slope_bound(radius, z, radius_slope, motion[2])
+        } else {
+            Range::between(start.1, end.1).widened(4.0 * widening)
         };
         if slope.keeps_sign() {
+            return true;
+        }
+        // From either end g changes by no more than the slopes allow.
+        let length = to.delta - from.delta;
+        let (values, flipped) = ([from.value, to.value], Range { low: -slope.high, high: -slope.low });
+        if lowest_of_two_lines(values, slope, length) > 1.0 + 4.0 * widening
+            || -lowest_of_two_lines(values.map(|x| -x), flipped, length) < 1.0 - 4.0 * widening
+        {
             return true;
         }
         let value = Range {
@@ -291,17 +274,7 @@ impl<A: Real> Search<'_, A> {
             high: norm(self.exponents.m, radius.high.max(0.0), z.high).0,
         }
         .widened(widening);
-        if value.low > 1.0 || value.high < 1.0 {
-            return true;
-        }
-        // From either end g changes by no more than the slopes allow.
-        let length = to.delta - from.delta;
-        let forward = Range { low: 0.0, high: length };
-        let ahead = Range::between(from.value, from.value).widened(widening) + slope * forward;
-        let back = Range::between(to.value, to.value).widened(widening)
-            + Range { low: -slope.high, high: -slope.low } * forward;
-        let lowest = lowest_of_two_lines(ahead.low.max(back.low), [from.value, to.value], slope, length);
-        lowest > 1.0 + 4.0 * widening || ahead.high.min(back.high) < 1.0
+        value.low > 1.0 || value.high < 1.0
     }
 
     /// Bounds of the radius over the stretch.
@@ -321,19 +294,6 @@ impl<A: Real> Search<'_, A> {
         bounds.widened(self.exponents.rounding::<f64>())
     }
 
-    /// The slopes of the radius and of g at one end, as δ grows within the stretch.
-    fn slopes(&self, probe: &Probe, motion: [f64; 3]) -> Slopes {
-        let [x, y, z] = probe.place;
-        // At a zero of both arguments the limit along the ray: derivatives depend on the direction alone.
-        let [dx, dy, dz] = motion.map(f64::abs);
-        let (u, v) = if x == 0.0 && y == 0.0 { (dx, dy) } else { (x, y) };
-        let (radius_of, [along_x, along_y]) = norm(self.exponents.n, u, v);
-        let radius = if u == 0.0 && v == 0.0 { 0.0 } else { product(along_x, motion[0]) + product(along_y, motion[1]) };
-        let (p, q) = if probe.radius == 0.0 && z == 0.0 { (radius_of, dz) } else { (probe.radius, z) };
-        let (_, [along_radius, along_z]) = norm(self.exponents.m, p, q);
-        Slopes { radius, value: product(along_radius, radius) + product(along_z, motion[2]) }
-    }
-
     /// Bounds of the slope of g over a stretch, where exponents on both sides of 1 mix.
     fn slope_bound(&self, radius: Range, z: Range, radius_slope: Range, z_motion: f64) -> Range {
         let m = self.exponents.m;
@@ -347,16 +307,16 @@ impl<A: Real> Search<'_, A> {
     }
 
     /// Notes the sign at a place; where it changed, there is a crossing behind.
-    fn arrive(&mut self, delta: f64, sign: i8) {
-        if sign == 0 {
+    fn arrive(&mut self, place: &Probe) {
+        if place.sign == 0 {
             return;
         }
         let (before, sign_before) = self.last;
-        if sign != sign_before {
-            let root = self.crossing(before, delta, sign_before < 0);
+        if place.sign != sign_before {
+            let root = self.crossing(before, place.delta, sign_before < 0);
             self.findings.roots.push(root);
         }
-        self.last = (delta, sign);
+        self.last = (place.delta, place.sign);
     }
 
     /// The crossing between two places, in the ray's own arithmetic.
@@ -376,12 +336,12 @@ impl<A: Real> Search<'_, A> {
 
 /// A lower bound of a function between two places, given its values there and the range of its slope: where the line that
 /// falls from the first as steeply as allowed meets the one that rises to the second.
-fn lowest_of_two_lines(fallback: f64, [first, second]: [f64; 2], slope: Range, length: f64) -> f64 {
+fn lowest_of_two_lines([first, second]: [f64; 2], slope: Range, length: f64) -> f64 {
     let (fall, rise) = (slope.low, slope.high);
     if !(fall < 0.0 && rise > 0.0 && fall.is_finite() && rise.is_finite()) {
-        return fallback;
+        return f64::NEG_INFINITY;
     }
     // first + fall x = second − rise (length − x)
-    let x = (first - second + rise * length) / (rise - fall);
-    (first + fall * x.clamp(0.0, length)).min(second - rise * (length - x.clamp(0.0, length))).max(fallback)
+    let x = ((first - second + rise * length) / (rise - fall)).clamp(0.0, length);
+    (first + fall * x).min(second - rise * (length - x))
 }

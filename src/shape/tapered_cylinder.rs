@@ -28,6 +28,7 @@
 //!
 //! **Source** Hill, Computer Graphics Using OpenGL, the generic tapered cylinder; Numerical Recipes § 5.6 for the roots.
 
+use super::tapered_wall::{End, Wall};
 use super::{
     Bounds, Crossing, GenericRay, HalfSpace, Part, Primitive, boundary, boundary::Root, outline, planes, report,
 };
@@ -35,7 +36,7 @@ use crate::math::{Quadratic, Real};
 use crate::record::{Candidate, Entry, Recorder, Sense, Value, What, format_number};
 use glam::{DVec2, DVec3};
 
-const WALL: Part = 0;
+pub(super) const WALL: Part = 0;
 const BASE: Part = 1;
 const CAP: Part = 2;
 
@@ -54,27 +55,10 @@ struct Solution {
     foot: f64,
     /// The point at the foot.
     nearest: [f64; 3],
-    /// The roots of the wall's quadratic, double cone and all.
-    wall_roots: Vec<f64>,
+    /// The roots of the wall's quadratic, double cone and all; infinite where A = 0.
+    wall_roots: Option<[f64; 2]>,
     /// Base and cap times; none where the ray is parallel to them.
     discs: Option<[f64; 2]>,
-}
-
-/// One end of the inside, and how well it is known.
-#[derive(Clone, Copy)]
-struct End<A> {
-    tau: A,
-    error: A,
-    part: Part,
-}
-
-/// The wall's quadratic, with a bound on the error of F near its roots.
-struct Wall<A> {
-    quadratic: Quadratic<A>,
-    touches: bool,
-    /// The ray is parallel to a side of the cone, as far as can be told.
-    parallel: bool,
-    doubt: f64,
 }
 
 impl TaperedCylinder {
@@ -89,50 +73,25 @@ impl TaperedCylinder {
         Err(format!("s is {s}; the cap's radius needs to be 0 or more"))
     }
 
-    fn slope(&self) -> f64 {
+    /// The radius at height z.
+    #[must_use]
+    pub fn radius(self, z: f64) -> f64 {
+        1.0 + self.slope() * z
+    }
+
+    fn slope(self) -> f64 {
         self.s - 1.0
     }
 
-    /// The quadratic of the wall about the point `l`; none where rounding hides the sign of the discriminant.
-    fn wall<A: Real>(&self, ray: &GenericRay<A>, l: [A; 3]) -> Option<Wall<A>> {
-        let k = A::from_f64(self.s) - A::ONE;
-        let [c_x, c_y, c_z] = ray.direction;
-        let (w, d) = (A::ONE + k * l[2], k * c_z);
-        let a = c_x * c_x + c_y * c_y - d * d;
-        let b = l[0] * c_x + l[1] * c_y - w * d;
-        let c = l[0] * l[0] + l[1] * l[1] - w * w;
-        let minors = [l[0] * d - w * c_x, l[1] * d - w * c_y, l[0] * c_y - l[1] * c_x];
-        let [p, q, r] = minors;
-        let mut discriminant = p * p + q * q - r * r;
-        let steep = 1.0 + self.slope().abs();
-        // Every minor is off by at most this: eight roundings of l and w, times components of c below 2.
-        let minor_error = 48.0 * A::UNIT_ROUNDOFF * steep * (ray.reach() + 1.0);
-        let size: f64 = minors.iter().map(|x| x.abs().to_f64()).sum();
-        let doubt = 2.0 * size * minor_error + 3.0 * minor_error * minor_error + 4.0 * A::UNIT_ROUNDOFF * size * size;
-        let touches = discriminant.abs().to_f64() <= doubt;
-        if touches && !A::FINEST {
-            return None;
-        }
-        if touches {
-            discriminant = A::ZERO;
-        }
-        let parallel = a.abs().to_f64() <= 64.0 * A::UNIT_ROUNDOFF * steep * steep;
-        let extent = l.iter().map(|x| x.abs().to_f64()).sum::<f64>() + 4.0 * steep;
-        let doubt = 32.0 * A::UNIT_ROUNDOFF * steep * extent * (ray.reach() + extent);
-        let quadratic = Quadratic::with_discriminant(a, b, c, discriminant);
-        Some(Wall { quadratic, touches, parallel, doubt })
-    }
-
     /// Finds where the ray goes in and out; none where rounding hides the answer.
-    fn solve<A: Real>(&self, ray: &GenericRay<A>) -> Option<Solution> {
+    fn solve<A: Real>(self, ray: &GenericRay<A>) -> Option<Solution> {
         let foot = ray.foot();
         let l = ray.at(foot);
-        let wall = self.wall(ray, l)?;
-        let roots = wall.quadratic.roots();
+        let wall = Wall::new(self.s, ray, l)?;
         let discs = Self::discs(ray);
-        let inside = match self.between_discs(ray, discs) {
+        let inside = match Self::between_discs(ray, discs) {
             None => None,
-            Some(slab) => within_wall(self.slope(), ray, foot, &wall, roots, slab)?,
+            Some(slab) => wall.clip(ray, foot, slab)?,
         };
         let plain = |x: A| x.to_f64();
         let q = &wall.quadratic;
@@ -141,12 +100,7 @@ impl TaperedCylinder {
             wall: Quadratic { a: plain(q.a), b: plain(q.b), c: plain(q.c), discriminant: plain(q.discriminant) },
             foot: foot.to_f64(),
             nearest: l.map(plain),
-            wall_roots: roots
-                .into_iter()
-                .flatten()
-                .map(|delta| (foot + delta).to_f64())
-                .filter(|tau| tau.is_finite())
-                .collect(),
+            wall_roots: q.roots().map(|roots| roots.map(|delta| plain(foot + delta))),
             discs: discs.map(|times| times.map(plain)),
         })
     }
@@ -158,7 +112,7 @@ impl TaperedCylinder {
     }
 
     /// The stretch between the planes of the discs; infinite ends for a ray that runs between them, none for a miss.
-    fn between_discs<A: Real>(&self, ray: &GenericRay<A>, discs: Option<[A; 2]>) -> Option<[End<A>; 2]> {
+    fn between_discs<A: Real>(ray: &GenericRay<A>, discs: Option<[A; 2]>) -> Option<[End<A>; 2]> {
         let end = |tau: A, part| End { tau, error: A::from_f64(4.0 * A::UNIT_ROUNDOFF) * tau.abs(), part };
         let infinity = A::from_f64(f64::INFINITY);
         match discs {
@@ -168,61 +122,6 @@ impl TaperedCylinder {
             Some([base, cap]) => Some([end(cap, CAP), end(base, BASE)]),
         }
     }
-}
-
-/// Cuts the stretch between the discs down to what is inside the wall.
-///
-/// The outer option is none where the order of two times is hidden by rounding; the inner one where the ray misses.
-#[expect(clippy::option_option, reason = "undecided and missed are two things")]
-fn within_wall<A: Real>(
-    slope: f64,
-    ray: &GenericRay<A>,
-    foot: A,
-    wall: &Wall<A>,
-    roots: Option<[A; 2]>,
-    [mut enter, mut leave]: [End<A>; 2],
-) -> Option<Option<[Root; 2]>> {
-    let steep = wall.quadratic.a < A::ZERO && !wall.parallel;
-    if wall.touches && (wall.parallel || !steep) {
-        return Some(None);
-    }
-    let Some(roots) = roots else {
-        return Some(None);
-    };
-    let [first, second] = roots.map(|delta| wall_end(wall, foot, delta));
-    if wall.quadratic.a < A::ZERO {
-        // The nappe with w > 0 lies ahead where w grows along the ray, and behind where it shrinks.
-        if slope * ray.direction[2].to_f64() > 0.0 {
-            enter = later(enter, second);
-        } else {
-            leave = earlier(leave, first);
-        }
-    } else {
-        enter = later(enter, first);
-        leave = earlier(leave, second);
-    }
-    let doubtful = (enter.tau - leave.tau).abs() <= enter.error + leave.error;
-    if doubtful && !A::FINEST {
-        return None;
-    }
-    let root = |end: End<A>| Root { tau: end.tau.to_f64(), part: end.part };
-    Some((!doubtful && enter.tau < leave.tau).then(|| [root(enter), root(leave)]))
-}
-
-/// A root of the wall's quadratic with its error: that of F over the slope of F.
-fn wall_end<A: Real>(wall: &Wall<A>, foot: A, delta: A) -> End<A> {
-    let slope = wall.quadratic.discriminant.sqrt() * A::from_f64(2.0);
-    let own = if slope > A::ZERO { A::from_f64(wall.doubt) / slope } else { A::ZERO };
-    let rounding = A::from_f64(4.0 * A::UNIT_ROUNDOFF) * (foot.abs() + delta.abs());
-    End { tau: foot + delta, error: own + rounding, part: WALL }
-}
-
-fn later<A: Real>(a: End<A>, b: End<A>) -> End<A> {
-    if b.tau > a.tau { b } else { a }
-}
-
-fn earlier<A: Real>(a: End<A>, b: End<A>) -> End<A> {
-    if b.tau < a.tau { b } else { a }
 }
 
 impl Primitive for TaperedCylinder {
@@ -278,20 +177,16 @@ impl Primitive for TaperedCylinder {
     }
 
     fn implicit(&self, point: DVec3) -> f64 {
-        let radius = 1.0 + self.slope() * point.z;
+        let radius = self.radius(point.z);
         (point.truncate().length_squared() - radius * radius).max(-point.z).max(point.z - 1.0)
     }
 
     fn equation(&self) -> String {
-        let radius = if self.s == 1.0 {
-            "1".to_owned()
-        } else if self.s == 0.0 {
-            "(1 − z)²".to_owned()
-        } else {
-            "(1 + (s − 1) z)²".to_owned()
+        let (radius, given) = match self.s {
+            1.0 => ("1", String::new()),
+            0.0 => ("(1 − z)²", String::new()),
+            s => ("(1 + (s − 1) z)²", format!(", s = {}", format_number(s))),
         };
-        let given =
-            if self.s == 0.0 || self.s == 1.0 { String::new() } else { format!(", s = {}", format_number(self.s)) };
         format!("max(x² + y² − {radius}, −z, z − 1){given}")
     }
 
@@ -306,12 +201,14 @@ const DISCS: [(HalfSpace, &str); 2] =
 
 impl TaperedCylinder {
     /// The wall's quadratic in the shared t, with its working.
-    fn working<A: Real>(&self, ray: &GenericRay<A>, solution: &Solution) -> Entry {
+    #[expect(clippy::many_single_char_names, reason = "the symbols of the head of the file")]
+    fn working<A: Real>(self, ray: &GenericRay<A>, solution: &Solution) -> Entry {
         let scale = ray.t_per_tau;
         let Quadratic { a, b, c, discriminant } = solution.wall;
         let (a, b, discriminant) = (a / scale / scale, b / scale, discriminant / scale / scale);
         let (foot, [x, y, z], [c_x, c_y, c_z]) = (solution.foot * scale, solution.nearest, ray.course());
-        let roots: Vec<_> = solution.wall_roots.iter().map(|tau| tau * scale).collect();
+        let roots: Vec<_> =
+            solution.wall_roots.into_iter().flatten().map(|tau| tau * scale).filter(|t| t.is_finite()).collect();
         let number = Value::Number;
         let bindings = [
             ("S", report::start(ray)),
@@ -324,7 +221,7 @@ impl TaperedCylinder {
             ("c_x", number(c_x)),
             ("c_y", number(c_y)),
             ("c_z", number(c_z)),
-            ("w", number(1.0 + self.slope() * z)),
+            ("w", number(self.radius(z))),
             ("d", number(self.slope() * c_z)),
             ("A", number(a)),
             ("B", number(b)),
@@ -334,9 +231,9 @@ impl TaperedCylinder {
         let about = "the wall x² + y² = (1 + (s − 1) z)²".to_owned();
         let mut entry =
             Entry::new(What::Quadratic { about, a, b, c, discriminant, recentred_at: foot, roots: roots.clone() })
-                .line("t₀", "−S·c / c·c", &bindings, foot)
+                .line("t₀", "−(S·c) / (c·c)", &bindings, foot)
                 .line("l", "S + c t₀", &bindings, solution.nearest)
-                .line("w", "1 + (s − 1) l_z", &bindings, 1.0 + self.slope() * z)
+                .line("w", "1 + (s − 1) l_z", &bindings, self.radius(z))
                 .line("d", "(s − 1) c_z", &bindings, self.slope() * c_z)
                 .line("A", "c_x² + c_y² − d²", &bindings, a)
                 .line("B", "l_x c_x + l_y c_y − w d", &bindings, b)
@@ -357,22 +254,25 @@ impl TaperedCylinder {
     }
 
     /// The times that were looked at and are not on the solid.
-    fn rejected<A: Real>(&self, ray: &GenericRay<A>, solution: &Solution, found: &[Crossing]) -> Vec<Candidate> {
+    fn rejected<A: Real>(self, ray: &GenericRay<A>, solution: &Solution, found: &[Crossing]) -> Vec<Candidate> {
         let [enters, leaves] = [Sense::Enter, Sense::Leave];
         let upward = ray.direction[2] > A::ZERO;
         let (base, cap) = if upward { (enters, leaves) } else { (leaves, enters) };
         let [first, second] = if solution.wall.a < 0.0 { [leaves, enters] } else { [enters, leaves] };
-        let wall = solution.wall_roots.iter().zip([first, second]).map(|(tau, sense)| (*tau, WALL, sense));
+        let wall =
+            solution.wall_roots.into_iter().flatten().zip([first, second]).map(|(tau, sense)| (tau, WALL, sense));
         let discs = solution.discs.into_iter().flat_map(|[b, c]| [(b, BASE, base), (c, CAP, cap)]);
         wall.chain(discs)
-            .filter(|(tau, part, _)| !found.iter().any(|hit| hit.part == *part && hit.t == tau * ray.t_per_tau))
-            .filter(|(tau, _, _)| (tau * ray.t_per_tau).is_finite())
-            .map(|hit| report::rejected(self, ray, hit, self.reason(ray.point(A::from_f64(hit.0)), hit.1)))
+            .filter(|&(tau, part, _)| {
+                let t = tau * ray.t_per_tau;
+                t.is_finite() && !found.iter().any(|hit| hit.part == part && hit.t.to_bits() == t.to_bits())
+            })
+            .map(|hit| report::rejected(&self, ray, hit, self.reason(ray.point(A::from_f64(hit.0)), hit.1)))
             .collect()
     }
 
     /// Why a point of the given part's surface is not on the solid.
-    fn reason(&self, point: DVec3, part: Part) -> String {
+    fn reason(self, point: DVec3, part: Part) -> String {
         let radius = point.truncate().length();
         let beyond = |limit: f64, name: &str| {
             format!("{} from the axis, beyond the {name}'s radius {}", format_number(radius), format_number(limit))
@@ -384,5 +284,128 @@ impl TaperedCylinder {
             WALL if point.z > 1.0 => format!("z = {}, above the cap", format_number(point.z)),
             _ => "only touched there, without a length inside".to_owned(),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::testing::*;
+    use super::*;
+
+    fn tapered(s: f64) -> TaperedCylinder {
+        TaperedCylinder::new(s).unwrap()
+    }
+
+    #[test]
+    fn wall_and_wall() {
+        // The radius at half height is 0.75.
+        expect(&tapered(0.5), [-2.0, 0.0, 0.5], [1.0, 0.0, 0.0], &[(1.25, Enter, "wall"), (2.75, Leave, "wall")]);
+        expect(&tapered(2.0), [-3.0, 0.0, 0.5], [1.0, 0.0, 0.0], &[(1.5, Enter, "wall"), (4.5, Leave, "wall")]);
+    }
+
+    #[test]
+    fn wall_and_cap_in_either_order() {
+        // In at (−0.8, 0, 0.4), where the radius is 0.8, and out at (0.2, 0, 1).
+        let (forth, back) = ([1.0, 0.0, 0.6], [-1.0, 0.0, -0.6]);
+        expect(&tapered(0.5), [-1.8, 0.0, -0.2], forth, &[(1.0, Enter, "wall"), (2.0, Leave, "cap")]);
+        expect(&tapered(0.5), [1.2, 0.0, 1.6], back, &[(1.0, Enter, "cap"), (2.0, Leave, "wall")]);
+    }
+
+    #[test]
+    fn base_and_wall_in_either_order() {
+        // In at the origin, out at (0.75, 0, 0.5).
+        let (forth, back) = ([0.75, 0.0, 0.5], [-0.75, 0.0, -0.5]);
+        expect(&tapered(0.5), [-0.75, 0.0, -0.5], forth, &[(1.0, Enter, "base"), (2.0, Leave, "wall")]);
+        expect(&tapered(0.5), [1.5, 0.0, 1.0], back, &[(1.0, Enter, "wall"), (2.0, Leave, "base")]);
+    }
+
+    #[test]
+    fn base_and_cap_in_either_order() {
+        expect(&tapered(0.5), [0.1, 0.0, -1.0], [0.0, 0.0, 1.0], &[(1.0, Enter, "base"), (2.0, Leave, "cap")]);
+        expect(&tapered(0.5), [0.1, 0.0, 2.0], [0.0, 0.0, -1.0], &[(1.0, Enter, "cap"), (2.0, Leave, "base")]);
+    }
+
+    #[test]
+    fn a_ray_that_touches_the_rim_alone_has_no_hits() {
+        // Through (0.5, 0, 1) and down, flatter than the wall.
+        expect(&tapered(0.5), [-0.5, 0.0, 1.25], [1.0, 0.0, -0.25], &[]);
+    }
+
+    #[test]
+    fn a_ray_in_the_plane_of_the_cap_crosses_from_rim_to_rim() {
+        expect(&tapered(0.5), [-2.0, 0.0, 1.0], [1.0, 0.0, 0.0], &[(1.5, Enter, "wall"), (2.5, Leave, "wall")]);
+    }
+
+    #[test]
+    fn misses_above_below_and_beside() {
+        expect(&tapered(0.5), [-2.0, 0.0, 1.5], [1.0, 0.0, 0.0], &[]);
+        expect(&tapered(0.5), [-2.0, 0.0, -0.5], [1.0, 0.0, 0.0], &[]);
+        expect(&tapered(0.5), [-2.0, 2.0, 0.5], [1.0, 0.0, 0.0], &[]);
+        expect(&tapered(0.5), [2.0, 0.0, -1.0], [0.0, 0.0, 1.0], &[]);
+    }
+
+    #[test]
+    fn a_tangent_of_the_wall_has_no_hits() {
+        expect(&tapered(1.0), [-2.0, 1.0, 0.5], [1.0, 0.0, 0.0], &[]);
+        expect(&tapered(0.5), [-2.0, 0.75, 0.5], [1.0, 0.0, 0.0], &[]);
+    }
+
+    #[test]
+    fn inside_and_behind() {
+        expect(&tapered(1.0), [0.0, 0.0, 0.25], [0.0, 0.0, 1.0], &[(-0.25, Enter, "base"), (0.75, Leave, "cap")]);
+        expect(&tapered(1.0), [3.0, 0.0, 0.5], [1.0, 0.0, 0.0], &[(-4.0, Enter, "wall"), (-2.0, Leave, "wall")]);
+    }
+
+    #[test]
+    fn a_ray_parallel_to_the_side_of_the_cone_meets_the_wall_once() {
+        // A = 0. In at the middle of the base, out at (−0.5, 0, 0.5).
+        let cone = tapered(0.0);
+        expect(&cone, [1.0, 0.0, -1.0], [-1.0, 0.0, 1.0], &[(1.0, Enter, "base"), (1.5, Leave, "wall")]);
+    }
+
+    #[test]
+    fn a_ray_along_the_side_of_the_cone_only_touches_it() {
+        expect(&tapered(0.0), [2.0, 0.0, -1.0], [-1.0, 0.0, 1.0], &[]);
+    }
+
+    #[test]
+    fn the_axis_of_the_cone_runs_from_base_to_apex() {
+        let hits = hits(&tapered(0.0), [0.0, 0.0, -1.0], [0.0, 0.0, 1.0]);
+        assert_eq!(hits.iter().map(|hit| hit.0).collect::<Vec<_>>(), [1.0, 2.0]);
+    }
+
+    #[test]
+    fn a_ray_along_the_wall_of_a_cylinder_is_inside_it_or_not_as_a_whole() {
+        expect(&tapered(1.0), [0.5, 0.0, -1.0], [0.0, 0.0, 1.0], &[(1.0, Enter, "base"), (2.0, Leave, "cap")]);
+        expect(&tapered(1.0), [1.0, 0.0, -1.0], [0.0, 0.0, 1.0], &[]);
+        expect(&tapered(1.0), [1.5, 0.0, -1.0], [0.0, 0.0, 1.0], &[]);
+    }
+
+    #[test]
+    fn the_coefficients_are_those_of_the_substitution() {
+        let (reports, _) = record(&tapered(0.5), DVec3::new(-2.0, 0.0, 0.5), DVec3::X);
+        let What::Quadratic { a, b, c, discriminant, recentred_at, roots, .. } = &reports[1] else {
+            panic!("{reports:?}")
+        };
+        // About (0, 0, 0.5): t² − 0.75².
+        assert_eq!((*a, *b, *c, *discriminant, *recentred_at), (1.0, 0.0, -0.5625, 0.5625, 2.0));
+        assert_eq!(roots, &[1.25, 2.75]);
+    }
+
+    #[test]
+    fn rejected_times_say_what_they_lie_beyond() {
+        // Base and cap are passed outside of their discs.
+        let (reports, _) = record(&tapered(0.5), DVec3::new(-3.0, 0.0, -0.25), DVec3::new(2.0, 0.0, 0.5));
+        let Some(What::Roots { candidates }) = reports.last() else { panic!("{reports:?}") };
+        let base = candidates.iter().find(|candidate| candidate.part == "base").unwrap();
+        assert_eq!((base.t, base.reason.as_str()), (0.5, "2 from the axis, beyond the base's radius 1"));
+        let cap = candidates.iter().find(|candidate| candidate.part == "cap").unwrap();
+        assert_eq!((cap.t, cap.reason.as_str()), (2.5, "2 from the axis, beyond the cap's radius 0.5"));
+    }
+
+    #[test]
+    fn a_negative_radius_is_refused() {
+        assert_eq!(TaperedCylinder::new(-0.5).unwrap_err(), "s is -0.5; the cap's radius needs to be 0 or more");
+        assert!(TaperedCylinder::new(f64::NAN).is_err());
     }
 }

@@ -77,7 +77,7 @@ impl Torus {
         Err(format!("d is {d}; the distance from the axis to the middle of the tube needs to be more than 0"))
     }
 
-    fn terms<A: Real>(&self, ray: &GenericRay<A>, l: [A; 3]) -> Terms<A> {
+    fn terms<A: Real>(self, ray: &GenericRay<A>, l: [A; 3]) -> Terms<A> {
         let d = A::from_f64(self.d);
         let [c_x, c_y, _] = ray.direction;
         let u = A::UNIT_ROUNDOFF;
@@ -98,7 +98,7 @@ impl Torus {
     }
 
     /// Bound on the error of G(δ).
-    fn doubt<A: Real>(&self, terms: &Terms<A>, delta: A) -> f64 {
+    fn doubt<A: Real>(self, terms: &Terms<A>, delta: A) -> f64 {
         let u = A::UNIT_ROUNDOFF;
         let delta = delta.abs().to_f64();
         let [a, k, alpha, beta, gamma] =
@@ -110,7 +110,7 @@ impl Torus {
     }
 
     /// Solves about the foot; none where rounding hides how many roots there are.
-    fn solve<A: Real>(&self, ray: &GenericRay<A>) -> Option<Solution> {
+    fn solve<A: Real>(self, ray: &GenericRay<A>) -> Option<Solution> {
         let foot = ray.foot();
         let l = ray.at(foot);
         let terms = self.terms(ray, l);
@@ -130,25 +130,12 @@ impl Torus {
         }
         let end = (room / terms.a).sqrt();
         let nodes = self.nodes(&quartic, &terms, end)?;
-        let roots = self.roots(ray, &quartic, l, &nodes);
-        // Between two roots with G > 0 lies the outside, or the overlap.
-        let mut k = 0;
-        while k < roots.len() {
-            let (root, peak) = roots[k];
-            let overlap = k % 2 == 1 && k + 1 < roots.len() && self.in_overlap(ray, l, peak);
-            if overlap {
-                solution.hidden.extend([(foot + root).to_f64(), (foot + roots[k + 1].0).to_f64()]);
-                k += 2;
-            } else {
-                solution.boundaries.push((foot + root).to_f64());
-                k += 1;
-            }
-        }
+        self.sort_roots(ray, &quartic, (foot, l), &nodes, &mut solution);
         Some(solution)
     }
 
     /// G as a quartic in δ. Its constant term is F times the other factor, for that cancels less.
-    fn quartic<A: Real>(&self, terms: &Terms<A>, l: [A; 3]) -> Quartic<A> {
+    fn quartic<A: Real>(self, terms: &Terms<A>, l: [A; 3]) -> Quartic<A> {
         let d = A::from_f64(self.d);
         let four_d_squared = A::from_f64(4.0) * d * d;
         let radius = terms.gamma.sqrt();
@@ -168,7 +155,7 @@ impl Torus {
     }
 
     /// The ends and the turning points of G with its signs; none where a sign is in doubt.
-    fn nodes<A: Real>(&self, quartic: &Quartic<A>, terms: &Terms<A>, end: A) -> Option<Vec<Node<A>>> {
+    fn nodes<A: Real>(self, quartic: &Quartic<A>, terms: &Terms<A>, end: A) -> Option<Vec<Node<A>>> {
         let mut nodes = Vec::with_capacity(7);
         nodes.push(Node { delta: -end, sign: 1 });
         for &delta in quartic.separators(-end, end).as_slice() {
@@ -190,23 +177,39 @@ impl Torus {
         Some(nodes)
     }
 
-    /// The roots of G, each with the next place where G is positive.
-    fn roots<A: Real>(&self, ray: &GenericRay<A>, quartic: &Quartic<A>, l: [A; 3], nodes: &[Node<A>]) -> Vec<(A, A)> {
-        let mut roots: Vec<(A, A)> = Vec::new();
+    /// Finds the roots of G between the nodes and tells boundaries from roots within the overlap of a spindle.
+    fn sort_roots<A: Real>(
+        self,
+        ray: &GenericRay<A>,
+        quartic: &Quartic<A>,
+        (foot, l): (A, [A; 3]),
+        nodes: &[Node<A>],
+        solution: &mut Solution,
+    ) {
         let mut last = nodes[0];
-        for node in nodes.iter().filter(|node| node.sign != 0) {
+        let mut touched = None;
+        for node in &nodes[1..] {
+            if node.sign == 0 {
+                touched = Some(node.delta);
+                continue;
+            }
+            let inside = |node: &Node<A>| node.sign < 0 || self.in_overlap(ray, l, node.delta);
+            let crosses = inside(&last) != inside(node);
             if node.sign != last.sign {
                 let rough = quartic.root_between(last.delta, node.delta, last.sign < 0);
-                let root = self.polish(ray, l, rough, last.delta, node.delta);
-                roots.push((root, node.delta));
+                let root = (foot + self.polish(ray, l, rough, last.delta, node.delta)).to_f64();
+                if crosses { &mut solution.boundaries } else { &mut solution.hidden }.push(root);
+            } else if let Some(delta) = touched.filter(|_| crosses) {
+                // Through the tip of a spindle, from the outside right into the overlap: a double root of G.
+                solution.boundaries.push((foot + delta).to_f64());
             }
-            last = *node;
+            (last, touched) = (*node, None);
         }
-        roots
     }
 
     /// Two steps of Newton's method on F, not beyond `low` and `high`.
-    fn polish<A: Real>(&self, ray: &GenericRay<A>, l: [A; 3], start: A, low: A, high: A) -> A {
+    #[expect(clippy::many_single_char_names, reason = "the symbols of the head of the file")]
+    fn polish<A: Real>(self, ray: &GenericRay<A>, l: [A; 3], start: A, low: A, high: A) -> A {
         let d = A::from_f64(self.d);
         let [c_x, c_y, c_z] = ray.direction;
         let mut delta = start;
@@ -226,7 +229,7 @@ impl Torus {
 
     /// Whether a place with G > 0 lies in the overlap of a spindle: there both factors of G are negative, and so is their
     /// sum, 2 (|p|² + d² − 1).
-    fn in_overlap<A: Real>(&self, ray: &GenericRay<A>, l: [A; 3], delta: A) -> bool {
+    fn in_overlap<A: Real>(self, ray: &GenericRay<A>, l: [A; 3], delta: A) -> bool {
         let p = std::array::from_fn(|i| l[i] + ray.direction[i] * delta);
         self.d < 1.0 && dot(p, p) < A::ONE - A::from_f64(self.d) * A::from_f64(self.d)
     }
@@ -305,7 +308,7 @@ impl Primitive for Torus {
 
 impl Torus {
     /// The quartic in the shared t, with its working.
-    fn working<A: Real>(&self, ray: &GenericRay<A>, solution: &Solution) -> Entry {
+    fn working<A: Real>(self, ray: &GenericRay<A>, solution: &Solution) -> Entry {
         let scale = ray.t_per_tau;
         let mut power = 1.0;
         let coefficients = solution.coefficients.map(|coefficient| {
@@ -332,7 +335,7 @@ impl Torus {
         ];
         let [c0, c1, c2, c3, c4] = coefficients;
         Entry::new(What::Quartic { coefficients, recentred_at: foot, roots })
-            .line("t₀", "−S·c / c·c", &bindings, foot)
+            .line("t₀", "−(S·c) / (c·c)", &bindings, foot)
             .line("l", "S + c t₀", &bindings, solution.nearest)
             .line("k", "l·l + d² − 1", &bindings, k)
             .line("c₄", "(c·c)²", &bindings, c4)
@@ -342,14 +345,99 @@ impl Torus {
             .line("c₀", "k² − 4 d² (l_x² + l_y²)", &bindings, c0)
     }
 
-    fn rejected<A: Real>(&self, ray: &GenericRay<A>, solution: &Solution) -> Vec<Candidate> {
+    fn rejected<A: Real>(self, ray: &GenericRay<A>, solution: &Solution) -> Vec<Candidate> {
         let senses = [Sense::Leave, Sense::Enter];
         let reason = "a root of the quartic, but F is negative on both sides: it lies where the tube overlaps itself";
         solution
             .hidden
             .iter()
             .zip(senses.into_iter().cycle())
-            .map(|(&tau, sense)| report::rejected(self, ray, (tau, 0, sense), reason.to_owned()))
+            .map(|(&tau, sense)| report::rejected(&self, ray, (tau, 0, sense), reason.to_owned()))
             .collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::testing::*;
+    use super::*;
+
+    fn torus(d: f64) -> Torus {
+        Torus::new(d).unwrap()
+    }
+
+    fn times(d: f64, origin: [f64; 3], direction: [f64; 3]) -> Vec<f64> {
+        hits(&torus(d), origin, direction).into_iter().map(|hit| hit.0).collect()
+    }
+
+    #[test]
+    fn a_ray_across_the_ring_enters_twice() {
+        let surface = [(2.0, Enter), (4.0, Leave), (6.0, Enter), (8.0, Leave)].map(|(t, sense)| (t, sense, "surface"));
+        expect(&torus(2.0), [-5.0, 0.0, 0.0], [1.0, 0.0, 0.0], &surface);
+    }
+
+    #[test]
+    fn a_ray_through_the_hole_misses() {
+        assert!(times(2.0, [0.0, 0.0, 5.0], [0.0, 0.0, -1.0]).is_empty());
+        assert!(times(2.0, [0.5, 0.0, 5.0], [0.0, 0.1, -1.0]).is_empty());
+    }
+
+    #[test]
+    fn rays_that_touch_from_outside_have_no_hits() {
+        assert!(times(2.0, [3.0, -5.0, 0.0], [0.0, 1.0, 0.0]).is_empty());
+        assert!(times(2.0, [-5.0, 0.0, 1.0], [1.0, 0.0, 0.0]).is_empty());
+        assert!(times(2.0, [1.0, 0.0, 5.0], [0.0, 0.0, -1.0]).is_empty());
+    }
+
+    #[test]
+    fn a_ray_that_touches_the_hole_from_inside_passes_through() {
+        // x = 1 touches the inner equator; the outer one is met at y = ±√8.
+        let found = times(2.0, [1.0, -5.0, 0.0], [0.0, 1.0, 0.0]);
+        assert_eq!(found.len(), 2);
+        assert!((found[0] - (5.0 - 8.0_f64.sqrt())).abs() < 1e-11);
+    }
+
+    #[test]
+    fn inside_the_tube_and_behind() {
+        assert_eq!(times(2.0, [2.0, 0.0, 0.0], [0.0, 0.0, 1.0]), [-1.0, 1.0]);
+        assert_eq!(times(2.0, [5.0, 0.0, 0.0], [2.0, 0.0, 0.0]), [-4.0, -3.0, -2.0, -1.0]);
+    }
+
+    #[test]
+    fn a_spindle_has_no_boundary_where_the_tube_overlaps_itself() {
+        let (reports, crossings) = record(&torus(0.5), DVec3::new(-5.0, 0.0, 0.0), DVec3::X);
+        let found: Vec<_> = crossings.iter().map(|hit| (hit.t * 1e9).round() / 1e9).collect();
+        assert_eq!(found, [3.5, 6.5]);
+        let Some(What::Roots { candidates }) = reports.last() else { panic!("{reports:?}") };
+        let all: Vec<_> = candidates.iter().map(|candidate| (candidate.t * 1e9).round() / 1e9).collect();
+        assert_eq!(all, [3.5, 4.5, 5.5, 6.5]);
+    }
+
+    #[test]
+    fn the_axis_of_a_spindle_runs_from_tip_to_tip() {
+        let found = times(0.6, [0.0, 0.0, -5.0], [0.0, 0.0, 1.0]);
+        assert_eq!(found, [4.2, 5.8]);
+    }
+
+    #[test]
+    fn the_hole_of_a_horn_torus_is_passed_from_inside_to_inside() {
+        assert_eq!(times(1.0, [-5.0, 0.0, 0.0], [1.0, 0.0, 0.0]), [3.0, 7.0]);
+        assert!(times(1.0, [0.0, 0.0, 5.0], [0.0, 0.0, -1.0]).is_empty());
+    }
+
+    #[test]
+    fn the_quartic_is_that_of_the_substitution() {
+        let (reports, _) = record(&torus(2.0), DVec3::new(-5.0, 0.0, 0.0), DVec3::X);
+        let What::Quartic { coefficients, recentred_at, roots } = &reports[0] else { panic!("{reports:?}") };
+        // (t² + 3)² − 16 t² = t⁴ − 10 t² + 9 about t = 5.
+        assert_eq!((coefficients, *recentred_at), (&[9.0, 0.0, -10.0, 0.0, 1.0], 5.0));
+        assert_eq!(roots.len(), 4);
+    }
+
+    #[test]
+    fn a_distance_of_zero_is_refused() {
+        let message = "d is 0; the distance from the axis to the middle of the tube needs to be more than 0";
+        assert_eq!(Torus::new(0.0).unwrap_err(), message);
+        assert!(Torus::new(f64::INFINITY).is_err());
     }
 }

@@ -48,10 +48,7 @@ pub struct Surface {
 impl Found {
     /// Boundaries that count, ascending: in front, and not the one that the ray started on.
     pub fn in_front(&self) -> impl Iterator<Item = (Boundary, Sense)> {
-        self.list
-            .boundaries()
-            .into_iter()
-            .filter(|(boundary, _)| boundary.t > 0.0 && Some(*boundary) != self.departed)
+        self.list.boundaries().into_iter().filter(|(boundary, _)| boundary.t > 0.0 && Some(*boundary) != self.departed)
     }
 }
 
@@ -92,9 +89,7 @@ impl Tracer<'_> {
     ) -> IntervalList {
         recorder.begin();
         let list = object.solid.inside::<f64>(ray.origin, ray.direction, recorder);
-        recorder.end(|| {
-            Entry::new(What::Object { index, name: object.name.clone(), intervals: list.intervals.len() })
-        });
+        recorder.end(|| Entry::new(What::Object { index, name: object.name.clone(), intervals: list.intervals.len() }));
         list
     }
 

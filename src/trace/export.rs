@@ -3,6 +3,7 @@
 use super::picture::srgb;
 use super::tree::RayTree;
 use crate::record::{Event, Triple, What};
+use schemars::generate::SchemaSettings;
 use schemars::{JsonSchema, Schema};
 use serde::Serialize;
 
@@ -45,5 +46,6 @@ impl<'a> TraceFile<'a> {
 /// The JSON Schema of [`TraceFile`].
 #[must_use]
 pub fn trace_schema() -> Schema {
-    schemars::schema_for!(TraceFile<'_>)
+    // As it is written, not as it would be read: what is left out when empty is not required.
+    SchemaSettings::draft2020_12().for_serialize().into_generator().into_root_schema_for::<TraceFile<'_>>()
 }

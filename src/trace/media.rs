@@ -27,7 +27,8 @@ impl Tracer<'_> {
             .filter(|candidate| self.is_transparent(candidate.object))
             .filter_map(|candidate| {
                 let holds_eye = candidate.list.intervals.iter().find(|interval| {
-                    interval.enter.is_none_or(|enter| enter.t <= 0.0) && interval.leave.is_none_or(|leave| leave.t > 0.0)
+                    interval.enter.is_none_or(|enter| enter.t <= 0.0)
+                        && interval.leave.is_none_or(|leave| leave.t > 0.0)
                 })?;
                 Some((holds_eye.enter.map_or(f64::NEG_INFINITY, |enter| enter.t), candidate.object))
             })

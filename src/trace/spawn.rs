@@ -109,8 +109,7 @@ impl Tracer<'_> {
 }
 
 fn describe_reflection(ray: &Ray, surface: &Surface, mirrored: DVec3, share: f64) -> Entry {
-    let bindings =
-        [("dir", ray.direction.to_array().into()), ("m", surface.n_shading.to_array().into())];
+    let bindings = [("dir", ray.direction.to_array().into()), ("m", surface.n_shading.to_array().into())];
     Entry::new(What::Reflection { direction: mirrored.to_array(), share }).line(
         "r",
         "dir − 2 (dir · m) m",

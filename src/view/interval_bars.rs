@@ -237,13 +237,15 @@ impl Bars {
             mark(0.0, "the ray starts".to_owned(), self.palette.ink, None);
         } else {
             let [left, right] = self.axis.points;
-            let (x, anchor, text) = if self.axis.values[0] > 0.0 {
-                (left, Anchor::Start, "← the ray starts at t = 0")
-            } else {
-                (right, Anchor::End, "the ray starts at t = 0 →")
-            };
+            let text =
+                if self.axis.values[0] > 0.0 { "← the ray starts at t = 0" } else { "the ray starts at t = 0 →" };
             let label = Label::new(text, SMALL, self.palette.faint);
-            self.placer.put_at(&mut self.drawing, label.at([x, base + 25.0], anchor, None), None);
+            let mut places = [([left, base + 25.0], Anchor::Start), ([right, base + 25.0], Anchor::End)];
+            if self.axis.values[0] <= 0.0 {
+                places.reverse();
+            }
+            let mut put = |(at, anchor)| self.placer.put_at(&mut self.drawing, label.at(at, anchor, None), None);
+            let _ = put(places[0]) || put(places[1]);
         }
     }
 

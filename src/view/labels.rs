@@ -58,6 +58,7 @@ pub struct Placer {
     canvas: Frame,
     taken: Vec<Frame>,
     lines: Vec<[Spot; 2]>,
+    outlines: Vec<[Spot; 2]>,
     spots: Vec<Frame>,
 }
 
@@ -79,7 +80,7 @@ const DISTANCES: [f64; 5] = [0.0, 9.0, 20.0, 34.0, 52.0];
 impl Placer {
     /// A placer that keeps labels within `canvas`.
     pub const fn new(canvas: Frame) -> Self {
-        Self { canvas, taken: Vec::new(), lines: Vec::new(), spots: Vec::new() }
+        Self { canvas, taken: Vec::new(), lines: Vec::new(), outlines: Vec::new(), spots: Vec::new() }
     }
 
     /// Keeps labels out of `frame`.
@@ -90,6 +91,11 @@ impl Placer {
     /// Keeps labels off a line where there is a choice.
     pub fn avoid_line(&mut self, from: Spot, to: Spot) {
         self.lines.push([from, to]);
+    }
+
+    /// Keeps labels off an outline where that costs nothing else.
+    pub fn avoid_outline(&mut self, points: &[Spot]) {
+        self.outlines.extend(points.windows(2).map(|ends| [ends[0], ends[1]]));
     }
 
     /// Keeps labels off a spot where there is a choice.
@@ -164,7 +170,8 @@ impl Placer {
     fn cost(&self, frame: &Frame) -> f64 {
         let lines = self.lines.iter().filter(|line| crosses(frame, **line)).count();
         let spots = self.spots.iter().filter(|spot| spot.overlaps(frame)).count();
-        5.0 * lines as f64 + 9.0 * spots as f64
+        let outlines = self.outlines.iter().filter(|line| crosses(frame, **line)).count().min(3);
+        5.0 * lines as f64 + 9.0 * spots as f64 + 1.6 * outlines as f64
     }
 }
 

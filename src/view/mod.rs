@@ -12,6 +12,7 @@ mod paint;
 mod palette;
 #[cfg(test)]
 mod sample;
+mod side_view;
 mod sign_plot;
 mod svg;
 mod text;
@@ -21,6 +22,7 @@ pub use fonts::{Face, Font, FontRole, fonts, has_glyph, text_width};
 pub use interval_bars::interval_bars;
 pub use paint::{Pixels, paint, png};
 pub use palette::{Colour, Palette, Theme};
+pub use side_view::{PlaneView, SectionPlane, SideViewOptions, side_view, side_view_plane};
 pub use sign_plot::sign_plot;
 pub use svg::svg;
 pub use text::{Detail, DetailLine, Row, brief, brief_vector, detail, row, span_list, tree_text};

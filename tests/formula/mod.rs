@@ -73,7 +73,8 @@ impl Bounded {
 
     fn power(self, exponent: &Self) -> Result<Self, String> {
         let (n, dn) = exponent.scalar()?;
-        let slope_in_n = self.0.iter().map(|(x, _)| (x.abs().powf(n) * x.abs().max(1e-300).ln()).abs() * dn).collect::<Vec<_>>();
+        let slope_in_n =
+            self.0.iter().map(|(x, _)| (x.abs().powf(n) * x.abs().max(1e-300).ln()).abs() * dn).collect::<Vec<_>>();
         let mut result = self.map(|x| x.powf(n), |x| n * x.abs().powf(n - 1.0));
         result.0.iter_mut().zip(slope_in_n).for_each(|((_, e), more)| *e += more);
         Ok(result)
@@ -229,8 +230,7 @@ impl Reader<'_> {
         let value: f64 = digits.parse().map_err(|_| format!("no number at `{}`", self.rest))?;
         self.rest = after;
         let is_mantissa = after.starts_with("·10") && after[4..].starts_with(|c| superscript(c).is_some());
-        let exact = value.fract() == 0.0 && value < 1000.0 && !is_mantissa;
-        Ok(if exact { Bounded(vec![(value, 0.0)]) } else { shown(value, if is_mantissa { 4 } else { 6 }) })
+        Ok(shown(value, if is_mantissa { 4 } else { 6 }))
     }
 }
 

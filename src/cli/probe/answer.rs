@@ -77,8 +77,9 @@ fn hits(solid: &Solid, origin: DVec3, direction: DVec3, arithmetic: Arithmetic) 
         Arithmetic::Double => solid.inside::<f64>(origin, direction, &mut NullRecorder),
         Arithmetic::DoubleDouble => solid.inside::<DoubleDouble>(origin, direction, &mut NullRecorder),
     };
-    let hits = list.boundaries().iter().map(|(boundary, sense)| hit(solid, origin, direction, boundary, *sense));
-    Answer::Hits { hits: hits.collect(), inside: inside(&list) }
+    let boundaries = list.boundaries();
+    let hits = boundaries.iter().map(|(boundary, sense)| hit(solid, origin, direction, boundary, *sense)).collect();
+    Answer::Hits { hits, inside: inside(&list) }
 }
 
 fn hit(solid: &Solid, origin: DVec3, direction: DVec3, boundary: &Boundary, kind: Sense) -> Hit {

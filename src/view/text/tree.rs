@@ -31,30 +31,43 @@ fn write_event(text: &mut String, event: &Event, depth: usize, explained: &mut B
     let detail = detail(event);
     let below = depth + 2;
     if explained.insert(detail.explanation) {
-        put_wrapped(text, below, detail.explanation);
+        put_wrapped(text, below, "—", detail.explanation);
     }
     for line in &detail.lines {
         match line {
             DetailLine::Pair { name, .. } if said_by_row(&event.what, name) => {}
             DetailLine::Pair { name, .. } if event.working.iter().any(|line| line.symbol == *name) => {}
-            DetailLine::Pair { name, value } => put_line(text, below, &format!("{name}: {value}")),
+            DetailLine::Pair { name, value } => put_wrapped(text, below, &format!("{name}:"), value),
             DetailLine::Working { symbol, formula, numbers, result } => {
-                put_line(text, below, &working(symbol, formula, numbers, result));
+                put_working(text, below, symbol, [formula, numbers, result]);
             }
             DetailLine::Table { headers, rows, .. } => put_table(text, below, headers, rows),
         }
     }
 }
 
-/// `symbol = formula = numbers = result`, without a part that says the same as the one before it.
-fn working(symbol: &str, formula: &str, numbers: &str, result: &str) -> String {
-    let mut parts = vec![symbol];
-    for part in [formula, numbers, result] {
-        if parts.last() != Some(&part) && !part.is_empty() {
-            parts.push(part);
+/// Lines longer than this are broken where there is a place for it.
+const WIDTH: usize = 104;
+
+/// `symbol = formula = numbers = result`, without a part that says the same as the one before it, and with a line for
+/// each part where one line would be too long.
+fn put_working(text: &mut String, depth: usize, symbol: &str, parts: [&str; 3]) {
+    let mut said = vec![symbol];
+    for part in parts {
+        if said.last() != Some(&part) && !part.is_empty() {
+            said.push(part);
         }
     }
-    parts.join(" = ")
+    let line = said.join(" = ");
+    if line.chars().count() <= WIDTH || said.len() < 3 {
+        put_line(text, depth, &line);
+        return;
+    }
+    put_line(text, depth, &said[..2].join(" = "));
+    let indent = " ".repeat(symbol.chars().count());
+    for part in &said[2..] {
+        put_line(text, depth, &format!("{indent} = {part}"));
+    }
 }
 
 /// Whether the row above has said this already.
@@ -68,6 +81,8 @@ fn said_by_row(what: &What, name: &str) -> bool {
         | What::Primitive { .. } => true,
         What::Ray { .. } => matches!(name, "kind" | "depth" | "weight"),
         What::Object { .. } | What::Extent { .. } => name == "inside",
+        What::Quadratic { .. } => matches!(name, "equation" | "roots"),
+        What::Implicit { .. } => name == "zeros",
         What::Medium { .. } => matches!(name, "before" | "after"),
         What::Limit { .. } => name == "therefore",
         What::Shadow { .. } => matches!(name, "in the way" | "passes"),
@@ -83,14 +98,14 @@ fn put_line(text: &mut String, depth: usize, line: &str) {
     text.push('\n');
 }
 
-/// A sentence after a dash, broken into lines that fit beside each other on a screen.
-fn put_wrapped(text: &mut String, depth: usize, sentence: &str) {
-    const WIDTH: usize = 96;
-    let mut line = "—".to_owned();
-    for word in sentence.split_whitespace() {
-        if line.chars().count() + 1 + word.chars().count() > WIDTH {
+/// Words after a head, broken into lines that start below the first word.
+fn put_wrapped(text: &mut String, depth: usize, head: &str, words: &str) {
+    let hanging = if head.chars().count() < 3 { head.chars().count() } else { 2 };
+    let mut line = head.to_owned();
+    for word in words.split(' ') {
+        if line.chars().count() + 1 + word.chars().count() > WIDTH && line.trim() != "" && line != head {
             put_line(text, depth, &line);
-            line = " ".to_owned();
+            line = " ".repeat(hanging);
         }
         line.push(' ');
         line.push_str(word);

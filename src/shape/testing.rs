@@ -1,0 +1,55 @@
+//! What the tests of shapes share.
+
+use super::{Crossing, GenericRay, Primitive};
+use crate::math::Real;
+use crate::record::{Counter, Entry, NullRecorder, Recorder, Sense, What};
+use glam::DVec3;
+
+pub(super) use Sense::{Enter, Leave, Touch};
+
+/// All crossings of the ray S + c t.
+pub(super) fn solve<A: Real>(shape: &impl Primitive, origin: DVec3, direction: DVec3) -> Vec<Crossing> {
+    let mut crossings = Vec::new();
+    shape.crossings(&GenericRay::<A>::new(origin, direction), &mut NullRecorder, &mut crossings);
+    crossings
+}
+
+/// All crossings as (t, sense, part), with t rounded to 12 decimals: what a person works out on paper.
+pub(super) fn hits(shape: &impl Primitive, origin: [f64; 3], direction: [f64; 3]) -> Vec<(f64, Sense, String)> {
+    let parts = shape.parts();
+    solve::<f64>(shape, origin.into(), direction.into())
+        .into_iter()
+        .map(|hit| ((hit.t * 1e12).round() / 1e12, hit.sense, parts[usize::from(hit.part)].clone()))
+        .collect()
+}
+
+/// Asserts what [`hits`] finds.
+#[track_caller]
+pub(super) fn expect(shape: &impl Primitive, origin: [f64; 3], direction: [f64; 3], expected: &[(f64, Sense, &str)]) {
+    let found = hits(shape, origin, direction);
+    let found: Vec<_> = found.iter().map(|(t, sense, part)| (*t, *sense, part.as_str())).collect();
+    assert_eq!(found, expected);
+}
+
+/// Keeps what is reported, in order.
+#[derive(Default)]
+pub(super) struct Kept(pub Vec<Entry>);
+
+impl Recorder for Kept {
+    const RECORDING: bool = true;
+
+    fn begin(&mut self) {}
+
+    fn end(&mut self, describe: impl FnOnce() -> Entry) {
+        self.0.push(describe());
+    }
+
+    fn count(&mut self, _counter: Counter) {}
+}
+
+/// Everything that the shape reports on the ray S + c t.
+pub(super) fn record(shape: &impl Primitive, origin: DVec3, direction: DVec3) -> (Vec<What>, Vec<Crossing>) {
+    let (mut kept, mut crossings) = (Kept::default(), Vec::new());
+    shape.crossings(&GenericRay::<f64>::new(origin, direction), &mut kept, &mut crossings);
+    (kept.0.into_iter().map(|entry| entry.what).collect(), crossings)
+}
