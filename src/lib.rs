@@ -4,6 +4,8 @@
 //! layers, from the bottom: [`record`], [`math`], then [`shape`], [`csg`] and [`optics`], then [`scene`], [`trace`],
 //! [`view`], and on top [`cli`] and `app`.
 
+#![warn(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::print_stdout, clippy::print_stderr)]
+
 #[cfg(feature = "workbench")]
 pub mod app;
 pub mod cli;

@@ -52,7 +52,7 @@ fn fresnel_at_thirty_degrees_follows_the_textbook_formulas() {
     let optics = refract(at(30.0), DVec3::Z, 1.0, 1.5);
     near(optics.r_s, r_s);
     near(optics.r_p, r_p);
-    near(optics.reflectance, (r_s + r_p) / 2.0);
+    near(optics.reflectance, f64::midpoint(r_s, r_p));
 }
 
 #[test]

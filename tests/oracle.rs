@@ -3,7 +3,7 @@
 //! `oracle/README.md` says what the numbers mean and when a solver is right.
 
 use glam::DVec3;
-use rayscope::math::Real;
+use rayscope::math::{DoubleDouble, Real};
 use rayscope::record::{NullRecorder, Sense};
 use rayscope::shape::{
     ConvexPolyhedron, Crossing, Cube, GenericRay, HalfSpace, Part, Primitive, Shape, Sphere, Square, Superellipsoid,
@@ -304,12 +304,25 @@ fn check<A: Real>(file: &str) {
 }
 
 macro_rules! oracle_tests {
-    ($($file:ident)*) => { $(
+    ($($file:ident $with_more_digits:ident)*) => { $(
         #[test]
         fn $file() {
             check::<f64>(stringify!($file));
         }
+
+        #[test]
+        fn $with_more_digits() {
+            check::<DoubleDouble>(stringify!($file));
+        }
     )* };
 }
 
-oracle_tests! { sphere square tapered cube polyhedron torus superellipsoid }
+oracle_tests! {
+    sphere sphere_with_32_digits
+    square square_with_32_digits
+    tapered tapered_with_32_digits
+    cube cube_with_32_digits
+    polyhedron polyhedron_with_32_digits
+    torus torus_with_32_digits
+    superellipsoid superellipsoid_with_32_digits
+}

@@ -65,5 +65,5 @@ pub fn run() -> ExitCode {
         Some(Command::Scenes(scenes)) => scenes.run(),
         Some(Command::Schema(schema)) => schema.run(),
     };
-    outcome.map_or_else(|failure| failure.report(), |()| ExitCode::SUCCESS)
+    outcome.map_or_else(failure::Failure::report, |()| ExitCode::SUCCESS)
 }

@@ -40,7 +40,9 @@ pub(super) fn two_product(a: f64, b: f64) -> (f64, f64) {
         return (product, a.mul_add(b, -product));
     }
     let ((a_high, a_low), (b_high, b_low)) = (split(a), split(b));
-    (product, ((a_high * b_high - product) + a_high * b_low + a_low * b_high) + a_low * b_low)
+    let error = ((a_high * b_high - product) + a_high * b_low + a_low * b_high) + a_low * b_low;
+    // The halves of numbers above 2⁹⁹⁶ overflow; so large, the product alone has to do.
+    (product, if error.is_finite() { error } else { 0.0 })
 }
 
 /// Two halves of at most 26 bits each (Veltkamp).
@@ -107,6 +109,9 @@ impl Add for DoubleDouble {
     /// Algorithm 6, `AccurateDWPlusDW`: relative error at most 3u².
     fn add(self, other: Self) -> Self {
         let (sum, error) = two_sum(self.high, other.high);
+        if !sum.is_finite() {
+            return Self::from_f64(sum);
+        }
         let (low_sum, low_error) = two_sum(self.low, other.low);
         let (high, low) = fast_two_sum(sum, error + low_sum);
         let (high, low) = fast_two_sum(high, low_error + low);
@@ -136,6 +141,9 @@ impl Mul for DoubleDouble {
     /// Algorithm 11, `DWTimesDW2`: relative error at most 5u².
     fn mul(self, other: Self) -> Self {
         let (product, error) = two_product(self.high, other.high);
+        if !product.is_finite() {
+            return Self::from_f64(product);
+        }
         let cross = self.high * other.low + self.low * other.high;
         let (high, low) = fast_two_sum(product, error + (cross + self.low * other.low));
         Self { high, low }
@@ -145,10 +153,12 @@ impl Mul for DoubleDouble {
 impl Div for DoubleDouble {
     type Output = Self;
 
-    /// Long division with two corrections. Infinite and undefined quotients are those of `f64`.
+    /// Long division with two corrections. Infinite and undefined quotients are those of `f64`, and so are those so large
+    /// that their products have no error term.
     fn div(self, other: Self) -> Self {
         let first = self.high / other.high;
-        if !first.is_finite() || !other.high.is_finite() {
+        let has_room = first.abs() < 1e290 && other.high.is_finite();
+        if !has_room {
             return Self { high: first, low: 0.0 };
         }
         let rest = self - other * Self::from_f64(first);
@@ -265,6 +275,17 @@ mod tests {
         close(dd(1e-9, 0.0).powf(DoubleDouble::from_f64(0.5)), dd(1e-9, 0.0).sqrt(), 1e-28);
         assert_eq!(DoubleDouble::ZERO.powf(DoubleDouble::from_f64(0.3)), DoubleDouble::ZERO);
         assert_eq!(DoubleDouble::ONE.powf(DoubleDouble::from_f64(1e6)), DoubleDouble::ONE);
+    }
+
+    #[test]
+    fn what_is_too_large_is_infinite_and_nothing_else() {
+        let large = DoubleDouble::from_f64(1e300);
+        assert_eq!((large * large).to_f64(), f64::INFINITY);
+        assert_eq!((large + large).to_f64(), 2e300);
+        assert_eq!((DoubleDouble::ONE / DoubleDouble::from_f64(1e-305)).to_f64(), 1e305);
+        let infinite = DoubleDouble::from_f64(f64::INFINITY);
+        assert_eq!((infinite + large).to_f64(), f64::INFINITY);
+        assert_eq!((infinite * large).to_f64(), f64::INFINITY);
     }
 
     #[test]

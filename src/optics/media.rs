@@ -101,7 +101,9 @@ mod tests {
 
     fn stack(objects: &[usize]) -> MediaStack {
         let mut stack = MediaStack::new();
-        objects.iter().for_each(|&object| stack.enter(object));
+        for &object in objects {
+            stack.enter(object);
+        }
         stack
     }
 

@@ -51,8 +51,9 @@ fn check_number(range: &Range, number: &Number, path: Path, problems: &mut Probl
         && range.above.is_none_or(|above| x > above)
         && range.below.is_none_or(|below| x < below);
     if range.whole && x.fract() != 0.0 || !inside {
-        let too_large = range.most.filter(|most| x > *most);
-        let most = too_large.map_or_else(String::new, |most| format!(" (at most {})", format_number(most)));
+        // The limits of the integer types are only of interest to who meets them.
+        let too_large = range.most.filter(|most| x > *most && *most >= f64::from(i32::MAX));
+        let most = too_large.map_or_else(String::new, |most| format!(" and {most} at most"));
         problems.add(path, format!("expected {}{most}, found {number}", describe_number(range)));
     }
 }
@@ -207,7 +208,6 @@ fn describe_words(words: &[String]) -> String {
 fn describe_number(range: &Range) -> String {
     let kind = if range.whole { "a whole number" } else { "a number" };
     match (range.least, range.most, range.above, range.below) {
-        // The limits of the integer types say nothing to a reader.
         (Some(least), Some(most), ..) if most < f64::from(i32::MAX) => {
             format!("{kind} from {} to {}", format_number(least), format_number(most))
         }

@@ -171,13 +171,12 @@ fn objects(
     materials: &BTreeMap<&str, usize>,
     problems: &mut Problems,
 ) -> Vec<Object> {
-    if find_circles(named, problems) {
-        return Vec::new();
-    }
+    let in_circles = find_circles(named, problems);
     SolidReader::look_at_named(named, problems);
     let names = object_names(files, problems);
     let list = Path::Root.field("objects");
     let mut reader = SolidReader::new(named, Some(materials), problems);
+    reader.follow_copies = !in_circles;
     let compiled: Vec<_> =
         files.iter().enumerate().map(|(i, file)| reader.solid(file, list.item(i), Around::NOTHING)).collect();
     let each = files.iter().zip(names).zip(compiled);

@@ -51,8 +51,8 @@ pub(super) struct SolidReader<'a> {
     /// The places of the materials by name; none where materials do not matter.
     materials: Option<&'a BTreeMap<&'a str, usize>>,
     problems: &'a mut Problems,
-    /// Whether copies are put in place of their originals.
-    follow_copies: bool,
+    /// Whether copies are put in place of their originals: not where they go round in a circle.
+    pub follow_copies: bool,
     primitives: usize,
 }
 
@@ -275,7 +275,7 @@ fn parameter_at_fault<'p>(message: &str, parameters: &[&'p str]) -> Option<&'p s
 
 /// Notes each circle of named solids that are copies of one another, once.
 ///
-/// Returns whether there is one: then nothing can be compiled.
+/// Returns whether there is one: then copies must not be followed.
 pub(super) fn find_circles(named: &Map<String, Value>, problems: &mut Problems) -> bool {
     let before = problems.list.len();
     let mut search = CircleSearch { named, open: Vec::new(), done: Vec::new(), problems };

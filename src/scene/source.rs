@@ -3,6 +3,7 @@
 use super::problem::{Path, Problems, Step};
 use jsonc_parser::ast::{Object, ObjectProp, Value as Ast};
 use jsonc_parser::common::{Range, Ranged};
+use jsonc_parser::errors::{ParseError, ParseErrorKind};
 use jsonc_parser::{CollectOptions, ParseOptions, parse_to_ast};
 use serde_json::{Map, Number, Value};
 
@@ -29,13 +30,27 @@ const STRICT: ParseOptions = ParseOptions {
 /// Says what is wrong, and where in the text.
 pub(super) fn parse(text: &str) -> Result<Ast<'_>, (Range, String)> {
     check_nesting(text)?;
-    let parsed = parse_to_ast(text, &CollectOptions::default(), &STRICT).map_err(|error| {
-        let message = error.kind().to_string();
-        let mut letters = message.chars();
-        let lower = letters.next().map(|first| first.to_lowercase().to_string()).unwrap_or_default();
-        (error.range(), format!("this is not JSON: {lower}{}", letters.as_str()))
-    })?;
+    let parsed = parse_to_ast(text, &CollectOptions::default(), &STRICT)
+        .map_err(|error| (error.range(), syntax_message(text, &error)))?;
     parsed.value.ok_or_else(|| (Range::new(0, 0), "the file is empty: expected a JSON object, `{ … }`".to_owned()))
+}
+
+fn syntax_message(text: &str, error: &ParseError) -> String {
+    match error.kind() {
+        ParseErrorKind::UnexpectedToken | ParseErrorKind::UnexpectedWord => {
+            let found: String = error.range().text(text).chars().take(20).collect();
+            format!("this is not JSON: `{found}` cannot stand here")
+        }
+        ParseErrorKind::ExpectedStringObjectProperty => {
+            "this is not JSON: the name of a field needs double quotes".to_owned()
+        }
+        kind => {
+            let message = kind.to_string();
+            let mut letters = message.chars();
+            let first = letters.next().map(|first| first.to_lowercase().to_string()).unwrap_or_default();
+            format!("this is not JSON: {first}{}", letters.as_str())
+        }
+    }
 }
 
 fn check_nesting(text: &str) -> Result<(), (Range, String)> {

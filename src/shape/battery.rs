@@ -241,6 +241,26 @@ proptest! {
 }
 
 #[test]
+fn numbers_at_the_ends_of_their_range_do_no_harm() {
+    let sizes = [0.0, -0.0, 5e-324, 1e-300, 1e-160, 1e-8, 1.0, 1e8, 1e160, 1e300, f64::MAX];
+    for shape in all_samples() {
+        for (i, &size) in (0..11).map(f64::from).zip(&sizes) {
+            for (j, &length) in (0..11).map(f64::from).zip(&sizes).filter(|(_, length)| **length > 0.0) {
+                let origin = DVec3::new(size, 0.3 * size, -0.7 * size + j * 0.1);
+                let direction = DVec3::new(-length, -0.3 * length + i * 1e-3 * length, 0.6 * length);
+                let crossings = solve::<f64>(&shape, origin, direction);
+                assert!(crossings.iter().all(|hit| hit.t.is_finite()), "{shape:?} {origin} {direction}: {crossings:?}");
+                assert!(crossings.windows(2).all(|pair| pair[0].t <= pair[1].t));
+                assert!(
+                    !is_bounded(&shape) || !is_solid(&shape) || crossings.len().is_multiple_of(2),
+                    "{shape:?} {origin} {direction}: {crossings:?}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
 fn the_sign_plot_agrees_with_the_function() {
     let (origin, direction) = (DVec3::new(3.0, 0.4, 0.3), DVec3::new(-1.0, -0.1, 0.02));
     for shape in all_samples() {

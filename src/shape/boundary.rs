@@ -15,7 +15,8 @@ pub(super) struct Root {
 
 /// Appends the crossings of a closed solid, given its roots in ascending order and what the first of them does.
 ///
-/// Roots that fall on the same number in pairs bound nothing that has a length, and are left out.
+/// Roots that fall on the same number in pairs bound nothing that has a length, and are left out. So far away that squares
+/// overflow nothing is known, and nothing is hit.
 pub(super) fn append_alternating<A: Real>(
     shape: &impl Primitive,
     ray: &GenericRay<A>,
@@ -23,6 +24,9 @@ pub(super) fn append_alternating<A: Real>(
     first: Sense,
     crossings: &mut Vec<Crossing>,
 ) {
+    if roots.iter().any(|root| root.tau.is_nan()) {
+        return;
+    }
     let start = crossings.len();
     let mut sense = first;
     for root in roots {
@@ -30,7 +34,7 @@ pub(super) fn append_alternating<A: Real>(
         let before = crossings.get(start..).and_then(<[Crossing]>::last);
         if before.is_some_and(|before| before.t >= crossing.t) {
             crossings.pop();
-        } else if crossing.t.is_finite() {
+        } else {
             crossings.push(crossing);
         }
         sense = if sense == Sense::Enter { Sense::Leave } else { Sense::Enter };
@@ -39,11 +43,13 @@ pub(super) fn append_alternating<A: Real>(
 }
 
 /// A root as a crossing, with the error that follows from the slope of the surface there.
+///
+/// A hit time too large for a number (the direction is next to nothing) becomes the largest one.
 pub(super) fn crossing<A: Real>(shape: &impl Primitive, ray: &GenericRay<A>, root: Root, sense: Sense) -> Crossing {
     let tau = A::from_f64(root.tau);
     let normal = shape.normal(ray.point(tau), root.part);
     let error = ray.root_error(normal, tau) * ray.t_per_tau;
-    Crossing { t: root.tau * ray.t_per_tau, error, sense, part: root.part }
+    Crossing { t: (root.tau * ray.t_per_tau).clamp(f64::MIN, f64::MAX), error, sense, part: root.part }
 }
 
 /// Near a tangent the bound grows without limit, but two boundaries that were told apart do not change places: neither

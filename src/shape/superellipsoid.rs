@@ -201,7 +201,7 @@ mod tests {
     #[test]
     fn a_ray_past_the_hollow_cuts_two_tips() {
         // On x + y = 0.9: √x + √y = 1 at x = ((1 ± √0.8) / 2)², and past the axes √0.9025 + √0.0025 = 1.
-        let inner = ((1.0 + 0.8_f64.sqrt()) / 2.0).powi(2);
+        let inner = f64::midpoint(1.0, 0.8_f64.sqrt()).powi(2);
         let found = times(0.5, 0.5, [1.0, -0.1, 0.0], [-1.0, 1.0, 0.0]);
         near(&found, &[0.0975, 1.0 - inner, 0.1 + inner, 1.0025]);
     }

@@ -104,6 +104,9 @@ pub struct Text {
 const ASCENT: f64 = 0.78;
 const DESCENT: f64 = 0.24;
 
+/// The width of a halo's line in sizes of the text: enough to set letters off from a line, too little to blot it out.
+pub(super) const HALO: f64 = 0.27;
+
 impl Text {
     /// The box that the text fills.
     #[must_use]

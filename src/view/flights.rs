@@ -105,8 +105,9 @@ impl End {
 /// The ray that the tree is about.
 fn first(tree: &RayTree) -> Flight {
     let camera = tree.events.iter().find_map(|event| match &event.what {
-        What::Ray { ray: RayKind::Camera, origin, direction, .. } => Some((event.id, *origin, *direction)),
-        What::LooseRay { origin, direction } => Some((event.id, *origin, *direction)),
+        What::Ray { ray: RayKind::Camera, origin, direction, .. } | What::LooseRay { origin, direction } => {
+            Some((event.id, *origin, *direction))
+        }
         _ => None,
     });
     let (event, origin, direction): (_, Triple, Triple) = camera.unwrap_or((0, [0.0; 3], [0.0, 0.0, -1.0]));

@@ -4,7 +4,7 @@ use super::axis::Axis;
 use super::drawing::{Anchor, Drawing, Form, Frame, Stroke, Text};
 use super::flights::{End, Flights};
 use super::fonts::{Face, text_width};
-use super::labels::{Label, Placer, shortened};
+use super::labels::{Label, Placer, shortened, wrapped};
 use super::palette::{Colour, Palette, Theme};
 use super::text::{brief, row};
 use crate::record::{Edge, EventId, Operator, Span, What};
@@ -14,6 +14,9 @@ use crate::trace::RayTree;
 const TEXT: f64 = 11.5;
 const SMALL: f64 = 10.5;
 const MARGIN: f64 = 12.0;
+
+/// Slices in which an unbounded end fades out.
+const FADE_STEPS: u32 = 7;
 
 /// The bars of the `Combine` event at or nearest above `selected`, else of the first below it.
 #[must_use]
@@ -106,10 +109,11 @@ impl Bars {
         let label = Label::new(shortened(title, width, 13.0, Face::Bold), 13.0, self.palette.ink).face(Face::Bold);
         self.placer.put_at(&mut self.drawing, label.at([MARGIN, y], Anchor::Start, None), Some(self.event));
         if let Some(reason) = early_out {
-            y += 17.0;
-            let reason = shortened(&format!("Early out: {reason}"), width, TEXT, Face::Sans);
-            let label = Label::new(reason, TEXT, self.palette.bad);
-            self.placer.put_at(&mut self.drawing, label.at([MARGIN, y], Anchor::Start, None), Some(self.event));
+            for line in wrapped(&format!("Early out: {reason}"), width, TEXT, Face::Sans) {
+                y += 16.5;
+                let label = Label::new(line, TEXT, self.palette.bad);
+                self.placer.put_at(&mut self.drawing, label.at([MARGIN, y], Anchor::Start, None), Some(self.event));
+            }
         }
         y + 14.0
     }
@@ -126,24 +130,24 @@ impl Bars {
         let pitch = ((bottom - top) / 3.0).min(84.0);
         let thick = (pitch * 0.34).clamp(7.0, 20.0);
         let colours = [self.palette.left, self.palette.right, self.palette.combined];
-        let middle = |row: usize| top + pitch * (row as f64 + 0.5);
+        let middles = [0.5, 1.5, 2.5].map(|rows| top + pitch * rows);
         let base = top + pitch * 3.0;
         self.time_marks(top, base, hit);
-        for (row, list) in lists.iter().enumerate() {
-            self.head(&heads[row], middle(row));
-            self.track(middle(row));
+        for ((list, head), (y, colour)) in lists.iter().zip(heads).zip(middles.into_iter().zip(colours)) {
+            self.head(head, y);
+            self.track(y);
             for span in list.iter().flat_map(|list| list.iter()) {
-                self.bar(span, middle(row), thick, colours[row]);
+                self.bar(span, y, thick, colour);
             }
         }
-        self.guides(lists[2], [middle(0) - thick * 0.5, middle(2)]);
+        self.guides(lists[2], [middles[0] - thick * 0.5, middles[2]]);
         self.shade_behind(top, base);
         self.ticks(base);
-        for (row, list) in lists.iter().enumerate() {
+        for (list, y) in lists.iter().zip(middles) {
             match list {
-                Some(list) if list.is_empty() => self.remark("empty", middle(row)),
-                Some(list) => self.edges(list, middle(row), thick),
-                None => self.remark("not asked", middle(row)),
+                Some(list) if list.is_empty() => self.remark("empty", y),
+                Some(list) => self.edges(list, y, thick),
+                None => self.remark("not asked", y),
             }
         }
     }
@@ -165,36 +169,38 @@ impl Bars {
         let [left, right] = self.axis.points;
         let from = span.enter.as_ref().map_or(left, |edge| self.axis.at(edge.t).clamp(left, right));
         let to = span.leave.as_ref().map_or(right, |edge| self.axis.at(edge.t).clamp(left, right));
-        let frame = |a: f64, b: f64| Frame { low: [a, y - thick / 2.0], high: [b, y + thick / 2.0] };
         let fade = 28.0_f64.min((to - from) / 2.0);
-        let (mut solid_from, mut solid_to) = (from, to);
-        const STEPS: usize = 7;
-        let slices = |open: bool| if open { STEPS } else { 0 };
-        for i in 0..slices(span.enter.is_none()) {
-            let at = |i: usize| from + fade * i as f64 / STEPS as f64;
-            let fill = Some(colour.faded((i as f64 + 1.0) / (STEPS as f64 + 1.0)));
-            self.drawing.put(Form::Rect { frame: frame(at(i), at(i + 1)), fill, stroke: None }, self.event);
-            solid_from = from + fade;
-        }
-        for i in 0..slices(span.leave.is_none()) {
-            let at = |i: usize| to - fade * i as f64 / STEPS as f64;
-            let fill = Some(colour.faded((i as f64 + 1.0) / (STEPS as f64 + 1.0)));
-            self.drawing.put(Form::Rect { frame: frame(at(i + 1), at(i)), fill, stroke: None }, self.event);
-            solid_to = to - fade;
-        }
+        let solid_from = if span.enter.is_none() { from + fade } else { from };
+        let solid_to = if span.leave.is_none() { to - fade } else { to };
         // A stretch too short to see is still there.
-        let (solid_from, solid_to) =
+        let (low, high) =
             if solid_to - solid_from < 1.5 { (solid_from - 0.75, solid_from + 0.75) } else { (solid_from, solid_to) };
-        self.drawing
-            .put(Form::Rect { frame: frame(solid_from, solid_to), fill: Some(colour), stroke: None }, self.event);
-        for (open, tip, inner) in
-            [(span.enter.is_none(), left - 4.0, left + 8.0), (span.leave.is_none(), right + 4.0, right - 8.0)]
-        {
-            if open {
-                let stroke = Stroke::solid(colour, 1.5);
-                self.drawing.put(Form::Arrow { from: [inner, y], to: [tip, y], head: 8.0, stroke }, self.event);
-            }
+        self.block([low, high], y, thick, colour);
+        if span.enter.is_none() {
+            self.open_end([from + fade, from], y, thick, colour);
         }
+        if span.leave.is_none() {
+            self.open_end([to - fade, to], y, thick, colour);
+        }
+    }
+
+    fn block(&mut self, [from, to]: [f64; 2], y: f64, thick: f64, colour: Colour) {
+        let frame = Frame { low: [from.min(to), y - thick / 2.0], high: [from.max(to), y + thick / 2.0] };
+        self.drawing.put(Form::Rect { frame, fill: Some(colour), stroke: None }, self.event);
+    }
+
+    /// Fades out from the bar's solid part towards the end of the axis, where an arrow points on.
+    fn open_end(&mut self, [solid, end]: [f64; 2], y: f64, thick: f64, colour: Colour) {
+        let slice = (end - solid) / f64::from(FADE_STEPS);
+        for i in 0..FADE_STEPS {
+            let from = solid + slice * f64::from(i);
+            let opacity = 1.0 - (f64::from(i) + 1.0) / (f64::from(FADE_STEPS) + 1.0);
+            self.block([from, from + slice], y, thick, colour.faded(opacity));
+        }
+        let outwards = (end - solid).signum();
+        let stroke = Stroke::solid(colour, 1.5);
+        let (from, to) = ([end - outwards * 8.0, y], [end + outwards * 4.0, y]);
+        self.drawing.put(Form::Arrow { from, to, head: 8.0, stroke }, self.event);
     }
 
     /// Thin lines from the boundaries of the result up to the operands that they come from.
@@ -266,7 +272,7 @@ impl Bars {
     fn remark(&mut self, text: &str, y: f64) {
         let halo = Some(self.palette.ground);
         let label = Label::new(text, TEXT, self.palette.faint);
-        let x = (self.axis.points[0] + self.axis.points[1]) / 2.0;
+        let x = f64::midpoint(self.axis.points[0], self.axis.points[1]);
         self.placer.put_at(&mut self.drawing, label.at([x, y], Anchor::Middle, halo), Some(self.event));
     }
 

@@ -74,8 +74,9 @@ const DIRECTIONS: [(Spot, Anchor); 8] = [
     ([-1.0, 0.0], Anchor::End),
 ];
 
-/// Distances from the place that is labelled, in points. Farther than the last, a label no longer seems to belong.
-const DISTANCES: [f64; 5] = [0.0, 9.0, 20.0, 34.0, 52.0];
+/// Distances from the place that is labelled, in points, and what they cost. Farther than the last, a label no longer
+/// seems to belong.
+const DISTANCES: [(f64, f64); 5] = [(0.0, 0.0), (9.0, 4.0), (20.0, 8.0), (34.0, 12.0), (52.0, 16.0)];
 
 impl Placer {
     /// A placer that keeps labels within `canvas`.
@@ -145,8 +146,9 @@ impl Placer {
 
     fn best_place(&self, around: Spot, gap: f64, label: &Label, halo: Colour) -> Option<Text> {
         let mut best: Option<(f64, Text)> = None;
-        for (ring, distance) in DISTANCES.into_iter().enumerate() {
-            for (order, (direction, anchor)) in DIRECTIONS.into_iter().enumerate() {
+        for (distance, farness) in DISTANCES {
+            // Between places that are as good, the first wins.
+            for (direction, anchor) in DIRECTIONS {
                 let reach = gap + distance;
                 let half_height = 0.5 * label.size;
                 let at = [
@@ -158,7 +160,7 @@ impl Placer {
                 if !self.is_free(&frame) {
                     continue;
                 }
-                let cost = self.cost(&frame) + 4.0 * ring as f64 + 0.3 * order as f64;
+                let cost = self.cost(&frame) + farness;
                 if best.as_ref().is_none_or(|(least, _)| cost < *least) {
                     best = Some((cost, text));
                 }
@@ -168,10 +170,10 @@ impl Placer {
     }
 
     fn cost(&self, frame: &Frame) -> f64 {
-        let lines = self.lines.iter().filter(|line| crosses(frame, **line)).count();
-        let spots = self.spots.iter().filter(|spot| spot.overlaps(frame)).count();
-        let outlines = self.outlines.iter().filter(|line| crosses(frame, **line)).count().min(3);
-        5.0 * lines as f64 + 9.0 * spots as f64 + 1.6 * outlines as f64
+        let lines = self.lines.iter().filter(|line| crosses(frame, **line)).map(|_| 5.0);
+        let spots = self.spots.iter().filter(|spot| spot.overlaps(frame)).map(|_| 9.0);
+        let outlines = self.outlines.iter().filter(|line| crosses(frame, **line)).take(3).map(|_| 1.6);
+        lines.chain(spots).chain(outlines).sum()
     }
 }
 
@@ -220,6 +222,20 @@ pub fn shortened(text: &str, width: f64, size: f64, face: Face) -> String {
     String::new()
 }
 
+/// A text in two lines at most, each at most `width` wide.
+pub fn wrapped(text: &str, width: f64, size: f64, face: Face) -> Vec<String> {
+    use super::fonts::text_width;
+    if text_width(text, size, face) <= width {
+        return vec![text.to_owned()];
+    }
+    let breaks = text.match_indices(' ').map(|(place, _)| place);
+    let fits = breaks.filter(|&place| text_width(&text[..place], size, face) <= width);
+    match fits.last() {
+        Some(place) => vec![text[..place].to_owned(), shortened(&text[place + 1..], width, size, face)],
+        None => vec![shortened(text, width, size, face)],
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -235,10 +251,10 @@ mod tests {
         let mut drawing = Drawing::new([100.0, 100.0], palette.ground);
         let mut placer = Placer::new(canvas());
         let label = Label::new("t = 1.25", 11.0, palette.ink);
-        let placed = (0..40).filter(|_| placer.put_near(&mut drawing, [50.0, 50.0], 5.0, &label, palette)).count();
-        assert!((4..40).contains(&placed), "{placed}");
+        let put = (0..40).filter(|_| placer.put_near(&mut drawing, [50.0, 50.0], 5.0, &label, palette)).count();
+        assert!((4..40).contains(&put), "{put}");
         let frames: Vec<_> = drawing.texts().map(Text::frame).collect();
-        assert_eq!(frames.len(), placed);
+        assert_eq!(frames.len(), put);
         for (i, a) in frames.iter().enumerate() {
             assert!(canvas().holds(a));
             assert!(frames[..i].iter().all(|b| !a.overlaps(b)));
@@ -267,5 +283,6 @@ mod tests {
         let short = shortened("the quick brown fox", 60.0, 11.0, Face::Sans);
         assert!(short.ends_with('…') && short.starts_with("the"), "{short}");
         assert_eq!(shortened("fox", 60.0, 11.0, Face::Sans), "fox");
+        assert_eq!(wrapped("the quick brown fox", 70.0, 11.0, Face::Sans), ["the quick", "brown fox"]);
     }
 }

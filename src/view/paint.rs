@@ -1,6 +1,6 @@
 //! Drawings as pixels. The only file that knows tiny-skia.
 
-use super::drawing::{Anchor, Drawing, Form, Frame, Spot, Stroke, Text};
+use super::drawing::{Anchor, Drawing, Form, Frame, HALO, Spot, Stroke, Text};
 use super::fonts::glyphs;
 use super::palette::Colour;
 use ab_glyph::OutlineCurve;
@@ -41,7 +41,7 @@ pub fn png(drawing: &Drawing, pixels_per_point: f32) -> Vec<u8> {
 
 fn painted(drawing: &Drawing, pixels_per_point: f32) -> Option<Pixmap> {
     let scale = if pixels_per_point.is_finite() { pixels_per_point.clamp(0.1, 16.0) } else { 1.0 };
-    let pixels = |points: f64| (points * f64::from(scale)).round().clamp(1.0, 32_768.0) as u32;
+    let pixels = |points: f64| whole((points * f64::from(scale)).round(), 32_768);
     let mut pixmap = Pixmap::new(pixels(drawing.width), pixels(drawing.height))?;
     let Colour { r, g, b, a } = drawing.background;
     pixmap.fill(Color::from_rgba8(r, g, b, a));
@@ -63,9 +63,9 @@ impl Painter {
             Form::Line { points, stroke } => self.stroke(polyline(points, false), stroke),
             Form::Area { rings, fill } => self.fill(closed(rings), *fill),
             Form::Circle { centre, radius, fill, stroke } => {
-                let path = || PathBuilder::from_circle(centre[0] as f32, centre[1] as f32, *radius as f32);
-                fill.iter().for_each(|fill| self.fill(path(), *fill));
-                stroke.iter().for_each(|stroke| self.stroke(path(), stroke));
+                let path = || PathBuilder::from_circle(narrow(centre[0]), narrow(centre[1]), narrow(*radius));
+                self.fill_if(path(), *fill);
+                self.stroke_if(path(), *stroke);
             }
             Form::Arc { centre, radius, angles, stroke } => {
                 self.stroke(polyline(&arc_points(*centre, *radius, *angles), false), stroke);
@@ -76,10 +76,22 @@ impl Painter {
                 self.fill(polyline(&tip, true), stroke.colour);
             }
             Form::Rect { frame, fill, stroke } => {
-                fill.iter().for_each(|fill| self.fill(polyline(&corners(frame), true), *fill));
-                stroke.iter().for_each(|stroke| self.stroke(polyline(&corners(frame), true), stroke));
+                self.fill_if(polyline(&corners(frame), true), *fill);
+                self.stroke_if(polyline(&corners(frame), true), *stroke);
             }
             Form::Text(text) => self.text(text),
+        }
+    }
+
+    fn fill_if(&mut self, path: Option<Path>, colour: Option<Colour>) {
+        if let Some(colour) = colour {
+            self.fill(path, colour);
+        }
+    }
+
+    fn stroke_if(&mut self, path: Option<Path>, stroke: Option<Stroke>) {
+        if let Some(stroke) = stroke {
+            self.stroke(path, &stroke);
         }
     }
 
@@ -91,10 +103,10 @@ impl Painter {
 
     fn stroke(&mut self, path: Option<Path>, stroke: &Stroke) {
         let Some(path) = path else { return };
-        let dash = stroke.dash.and_then(|dash| StrokeDash::new(dash.map(|x| x as f32).to_vec(), 0.0));
+        let dash = stroke.dash.and_then(|dash| StrokeDash::new(dash.map(narrow).to_vec(), 0.0));
         let line_cap = if dash.is_some() { LineCap::Butt } else { LineCap::Round };
         let stroke_of = tiny_skia::Stroke {
-            width: stroke.width as f32,
+            width: narrow(stroke.width),
             line_cap,
             line_join: LineJoin::Round,
             dash,
@@ -106,13 +118,24 @@ impl Painter {
     fn text(&mut self, text: &Text) {
         let path = text_path(text);
         if let (Some(halo), Some(path)) = (text.halo, &path) {
-            // Two points and a half on either side set letters off from a line without blotting it out.
-            self.stroke(Some(path.clone()), &Stroke::solid(halo, 5.0 * text.size / 13.0));
+            self.stroke(Some(path.clone()), &Stroke::solid(halo, HALO * text.size));
         }
         let Some(path) = path else { return };
         // Letters overlap themselves where strokes cross, so they are filled by winding.
         self.pixmap.fill_path(&path, &paint_of(text.colour), FillRule::Winding, self.transform, None);
     }
+}
+
+/// tiny-skia computes in `f32`: a canvas of 16,384 points has 2⁻¹⁰ of a point left.
+#[expect(clippy::cast_possible_truncation, reason = "see above")]
+fn narrow(x: f64) -> f32 {
+    x as f32
+}
+
+/// A whole number of at least 1 and at most `most`.
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to the range of u32")]
+fn whole(x: f64, most: u32) -> u32 {
+    x.clamp(1.0, f64::from(most)) as u32
 }
 
 fn paint_of(colour: Colour) -> Paint<'static> {
@@ -140,7 +163,7 @@ fn add_ring(path: &mut PathBuilder, points: &[Spot], close: bool) {
         return;
     }
     for (i, at) in points.iter().enumerate() {
-        let [x, y] = at.map(|x| x as f32);
+        let [x, y] = at.map(narrow);
         if i == 0 { path.move_to(x, y) } else { path.line_to(x, y) }
     }
     if close {
@@ -150,12 +173,12 @@ fn add_ring(path: &mut PathBuilder, points: &[Spot], close: bool) {
 
 /// A polyline within a hundredth of a point of the arc.
 fn arc_points(centre: Spot, radius: f64, angles: [f64; 2]) -> Vec<Spot> {
-    let steps = ((angles[1] - angles[0]).abs() * radius.sqrt() * 3.6).ceil().clamp(4.0, 360.0);
-    let at = |step: f64| {
-        let angle = angles[0] + (angles[1] - angles[0]) * step / steps;
+    let steps = whole(((angles[1] - angles[0]).abs() * radius.sqrt() * 3.6).ceil().max(4.0), 360);
+    let at = |step: u32| {
+        let angle = angles[0] + (angles[1] - angles[0]) * f64::from(step) / f64::from(steps);
         [centre[0] + radius * angle.cos(), centre[1] + radius * angle.sin()]
     };
-    (0..=steps as u32).map(|step| at(f64::from(step))).collect()
+    (0..=steps).map(at).collect()
 }
 
 /// Where the shaft ends, and the triangle of the head.
@@ -184,11 +207,11 @@ fn text_path(text: &Text) -> Option<Path> {
         Anchor::Start => text.at[0],
         Anchor::Middle | Anchor::End => text.frame().low[0],
     };
-    let (size, baseline) = (text.size as f32, text.at[1] as f32);
+    let (size, baseline) = (narrow(text.size), narrow(text.at[1]));
     let mut path = PathBuilder::new();
     for glyph in glyphs(&text.text, text.face) {
         let place = |p: ab_glyph::Point| {
-            (left as f32 + (glyph.x + p.x * glyph.scale) * size, baseline - p.y * glyph.scale * size)
+            (narrow(left) + (glyph.x + p.x * glyph.scale) * size, baseline - p.y * glyph.scale * size)
         };
         add_outline(&mut path, &glyph.curves, place);
     }

@@ -163,6 +163,7 @@ impl Plot {
             self.drawing.put(Form::Line { points: vec![[left, y], [right, y]], stroke: fine }, None);
         }
         let zero = self.d.at(0.0);
+        self.placer.avoid_line([left, zero], [right, zero]);
         let stroke = Stroke::solid(self.palette.faint, 1.2);
         self.drawing.put(Form::Line { points: vec![[left, zero], [right, zero]], stroke }, None);
     }
@@ -197,6 +198,7 @@ impl Plot {
             return;
         }
         let zero = self.d.at(0.0);
+        self.placer.avoid_outline(&points);
         let mut ring = points.clone();
         ring.push([points[points.len() - 1][0], zero]);
         ring.push([points[0][0], zero]);
@@ -220,7 +222,7 @@ impl Plot {
             };
             for text in [long, short] {
                 let label = Label::new(text, SMALL, self.palette.ground).face(Face::Bold);
-                let text = label.at([(from + to) / 2.0, top + STRIP / 2.0], Anchor::Middle, None);
+                let text = label.at([f64::midpoint(from, to), top + STRIP / 2.0], Anchor::Middle, None);
                 if text.frame().low[0] > from + 1.0 && self.placer.put_at(&mut self.drawing, text, Some(self.event)) {
                     break;
                 }

@@ -1,6 +1,6 @@
 //! Drawings as SVG text.
 
-use super::drawing::{Anchor, Drawing, Form, Frame, Spot, Stroke, Text};
+use super::drawing::{Anchor, Drawing, Form, Frame, HALO, Spot, Stroke, Text};
 use super::fonts::Face;
 use super::paint::arrow_head;
 use super::palette::Colour;
@@ -65,7 +65,7 @@ fn text_element(text: &Text) -> String {
         Anchor::End => "end",
     };
     let halo = text.halo.map(|halo| {
-        let width = number(5.0 * text.size / 13.0);
+        let width = number(HALO * text.size);
         format!(" paint-order=\"stroke\" stroke-width=\"{width}\"{}", paint("stroke", halo))
     });
     format!(

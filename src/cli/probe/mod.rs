@@ -103,8 +103,7 @@ mod tests {
 
     impl Read for &mut Slow<'_> {
         fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
-            let answers = self.written.borrow().iter().filter(|&&byte| byte == b'\n').count();
-            self.seen.push(answers);
+            self.seen.push(self.written.borrow().split(|&byte| byte == b'\n').count() - 1);
             if self.lines.is_empty() {
                 return Ok(0);
             }

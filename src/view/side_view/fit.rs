@@ -32,7 +32,7 @@ pub(super) fn fit(
     let extent: Spot = std::array::from_fn(|i| (content.high[i] - content.low[i]).max(1e-9));
     let zoom = if options.zoom.is_finite() { options.zoom.clamp(1e-3, 1e6) } else { 1.0 };
     let scale = (room[0] / extent[0]).min(room[1] / extent[1]).min(1e9) * zoom;
-    let middle: Spot = std::array::from_fn(|i| (content.low[i] + content.high[i]) / 2.0);
+    let middle: Spot = std::array::from_fn(|i| f64::midpoint(content.low[i], content.high[i]));
     let pan = options.pan.map(|x| if x.is_finite() { x } else { 0.0 });
     let target = [left + room[0] / 2.0 + pan[0], top + room[1] / 2.0 + pan[1]];
     PlaneView { scale, centre: [target[0] - middle[0] * scale, target[1] - middle[1] * scale], ..plane }
@@ -97,9 +97,9 @@ impl Gathered {
             return;
         }
         let frame = self.frame.get_or_insert(Frame { low: spot, high: spot });
-        for i in 0..2 {
-            frame.low[i] = frame.low[i].min(spot[i]);
-            frame.high[i] = frame.high[i].max(spot[i]);
-        }
+        *frame = Frame {
+            low: std::array::from_fn(|i| frame.low[i].min(spot[i])),
+            high: std::array::from_fn(|i| frame.high[i].max(spot[i])),
+        };
     }
 }

@@ -130,16 +130,11 @@ impl SideView<'_> {
                 let label = Label::new(format!("t = {}", brief(t)), SMALL, self.palette.ink).of(event);
                 self.label_later(at, 7.0, label);
             }
-            let stroke = Some(Stroke::solid(self.behind(t, self.palette.ink), 1.4));
+            let stroke = Some(Stroke::solid(paler_behind(t, self.palette.ink), 1.4));
             let fill = Some(self.palette.ground);
             self.drawing.put(Form::Circle { centre: at, radius: 3.2, fill, stroke }, event);
             self.placer.avoid_spot(at, 3.2);
         }
-    }
-
-    /// What lies behind the ray's start is paler.
-    fn behind(&self, t: f64, colour: Colour) -> Colour {
-        if t < 0.0 { colour.faded(0.45) } else { colour }
     }
 
     /// Hits of the current ray that do not count, with the reason for the one that is selected.
@@ -159,7 +154,7 @@ impl SideView<'_> {
             if !self.drawing.frame().contains(at) {
                 continue;
             }
-            let colour = self.behind(t, self.palette.bad);
+            let colour = paler_behind(t, self.palette.bad);
             if event == self.step {
                 self.ring(at, event);
                 let label = Label::new(format!("t = {}: {reason}", brief(t)), TEXT, self.palette.ink).of(event);
@@ -171,6 +166,11 @@ impl SideView<'_> {
             self.cross(at, 3.6, Stroke::solid(colour, 1.6), event);
         }
     }
+}
+
+/// What lies behind the ray's start is paler.
+fn paler_behind(t: f64, colour: Colour) -> Colour {
+    if t < 0.0 { colour.faded(0.45) } else { colour }
 }
 
 /// Whether two spots are far enough apart for a label each.

@@ -64,10 +64,11 @@ pub(super) fn section(solid: &Solid, plane: &PlaneView, canvas: Frame) -> Sectio
     if top >= bottom {
         return sweep.section;
     }
-    let rows = ((bottom - top) / ROW).ceil();
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a canvas has at most 16,384 rows")]
+    let rows = ((bottom - top) / ROW).ceil() as u32;
     let mut upper = Row { y: top, runs: Vec::new() };
-    for i in 0..=rows as u32 {
-        let lower = sweep.row(top + (bottom - top) * f64::from(i) / rows);
+    for i in 0..=rows {
+        let lower = sweep.row(top + (bottom - top) * f64::from(i) / f64::from(rows));
         sweep.connect(&upper, &lower, HALVINGS);
         upper = lower;
     }
@@ -124,7 +125,7 @@ impl Sweep<'_> {
         let visible = self.canvas.grown(-OUTSIDE);
         let (from, to) = (from.max(visible.low[0]), to.min(visible.high[0]));
         if from < to && visible.low[1] < y && y < visible.high[1] {
-            self.middles.push(([(from + to) / 2.0, y], to - from));
+            self.middles.push(([f64::midpoint(from, to), y], to - from));
         }
     }
 
@@ -143,7 +144,7 @@ impl Sweep<'_> {
             is_straight(&upper.runs[*a], &lower.runs[*b])
         };
         if halvings > 0 && !groups.iter().all(simple) {
-            let middle = self.row((upper.y + lower.y) / 2.0);
+            let middle = self.row(f64::midpoint(upper.y, lower.y));
             let left = if continues_straight(upper, &middle, lower) { 0 } else { halvings - 1 };
             self.connect(upper, &middle, left);
             self.connect(&middle, lower, left);
@@ -163,7 +164,7 @@ impl Sweep<'_> {
 
     /// Ends the chains above and begins those below, half way between the rows.
     fn change(&mut self, upper: &Row, lower: &Row, group: &Group, open: &mut [usize]) {
-        let y = (upper.y + lower.y) / 2.0;
+        let y = f64::midpoint(upper.y, lower.y);
         for &a in &group.upper {
             self.extend(self.open[a], y, &upper.runs[a]);
         }
@@ -235,7 +236,7 @@ fn continues_straight(upper: &Row, middle: &Row, lower: &Row) -> bool {
     let same = upper.runs.len() == lower.runs.len() && upper.runs.len() == middle.runs.len();
     same && upper.runs.iter().zip(&middle.runs).zip(&lower.runs).all(|((a, m), b)| {
         let overlaps = a.ends[0] < b.ends[1] && b.ends[0] < a.ends[1];
-        let straight = (0..2).all(|i| (m.ends[i] - (a.ends[i] + b.ends[i]) / 2.0).abs() < BEND);
+        let straight = (0..2).all(|i| (m.ends[i] - f64::midpoint(a.ends[i], b.ends[i])).abs() < BEND);
         overlaps && straight && a.origins == b.origins && a.origins == m.origins
     })
 }

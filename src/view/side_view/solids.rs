@@ -134,8 +134,9 @@ impl SideView<'_> {
                 }
             }
         }
-        let count = found.len().max(1) as f64;
-        let middle: Spot = std::array::from_fn(|i| found.iter().map(|spot| spot[i]).sum::<f64>() / count);
+        // The section is convex, so that a weighted mean of its corners lies within.
+        let mean = |a: Spot, b: Spot| std::array::from_fn(|i| f64::midpoint(a[i], b[i]));
+        let middle: Spot = found.iter().copied().reduce(mean).unwrap_or_default();
         let angle = |spot: &Spot| (spot[1] - middle[1]).atan2(spot[0] - middle[0]);
         found.sort_by(|a, b| angle(a).total_cmp(&angle(b)));
         found
