@@ -86,7 +86,7 @@ impl ImagePanel {
         let (text, swatch) = match (&self.reading, focused) {
             (Some(reading), _) => (reading.text(), Some(reading.srgb())),
             (None, Some([x, y])) => {
-                (format!("Pixel ({x}, {y}) is recorded. Click another, or use the arrow keys."), None)
+                (format!("Pixel ({x}, {y}). Click another, or use the arrow keys."), None)
             }
             (None, None) => ("Click a pixel to record what its ray does.".to_owned(), None),
         };

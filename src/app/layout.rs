@@ -37,7 +37,7 @@ impl Workbench {
         let palette = Palette::current(ui.ctx());
         let whole = ui.max_rect();
         ui.painter().rect_filled(whole, 0.0, palette.window);
-        let (bar, rest) = whole.split_top_bottom_at_y(whole.top() + top_bar::height(self.open.as_ref()));
+        let (bar, rest) = whole.split_top_bottom_at_y(whole.top() + top_bar::height(ui, self.open.as_ref()));
         self.top_bar(ui, bar);
         let mut rest = rest.shrink(GAP);
         if let Some(problem) = &self.problem {

@@ -88,7 +88,11 @@ impl SidePanel {
             self.fit();
         }
         let planes = [
-            (SectionPlane::Incidence, "Plane of incidence", "Cut along the ray and the normal of the selected hit."),
+            (
+                SectionPlane::Incidence,
+                "Incidence",
+                "Cut in the plane of incidence: along the ray and the normal of the selected hit.",
+            ),
             (SectionPlane::RayAndUp, "Ray and up", "Cut along the ray and the camera's upward direction."),
         ];
         for (plane, name, tip) in planes {

@@ -4,18 +4,52 @@ use super::scene_menu::{Choice, SceneMenu};
 use super::theme::{Palette, bold};
 use super::workbench::OpenScene;
 use egui::text::LayoutJob;
-use egui::{Align, Label, Layout, RichText, Stroke, ThemePreference, Ui, UiBuilder, vec2};
+use egui::{
+    Align, Button, Color32, FontId, Galley, Label, Layout, RichText, Stroke, TextStyle, ThemePreference, Ui, UiBuilder,
+    vec2,
+};
+use std::sync::Arc;
 
 /// Height of its upper line, in points.
 const UPPER: f32 = 42.0;
-/// Height of its lower line, in points: two lines of text.
-const LOWER: f32 = 44.0;
+/// Margin to the left and to the right, in points.
+const MARGIN: f32 = 14.0;
+/// No more pixels than this are offered, so that there is room for the text.
+const MOST_PIXELS: usize = 4;
+/// Lines of the scene's own words that are shown; longer ones are for the tooltip.
+const MOST_LINES: usize = 4;
 
-/// Height of the bar, in points.
+/// Height of the bar, in points: as many lines as the scene has to say at this width.
 #[must_use]
-pub fn height(open: Option<&OpenScene>) -> f32 {
-    let says_something = |open: &OpenScene| !(open.scene.about.is_empty() && open.scene.pixels.is_empty());
-    if open.is_some_and(says_something) { UPPER + LOWER } else { UPPER }
+pub fn height(ui: &Ui, open: Option<&OpenScene>) -> f32 {
+    let Some(scene) = open.map(|open| &open.scene) else { return UPPER };
+    if scene.about.is_empty() && scene.pixels.is_empty() {
+        return UPPER;
+    }
+    let width = ui.max_rect().width() - 2.0 * MARGIN - pixels_width(ui, &scene.pixels);
+    let words = words(ui, &scene.about, width).size().y.max(ui.spacing().interact_size.y);
+    UPPER + words + 10.0
+}
+
+/// The width of the offered pixels with the space before them.
+fn pixels_width(ui: &Ui, pixels: &[[u32; 2]]) -> f32 {
+    let font = TextStyle::Button.resolve(ui.style());
+    let width = |text: String| ui.painter().layout_no_wrap(text, font.clone(), Color32::WHITE).size().x;
+    let button = |&pixel: &[u32; 2]| width(name(pixel)) + 2.0 * ui.spacing().button_padding.x + 2.0;
+    let spaces = 24.0 + ui.spacing().item_spacing.x * (pixels.len() + 2) as f32;
+    pixels.iter().take(MOST_PIXELS).map(button).sum::<f32>() + width("Try:".to_owned()) + spaces
+}
+
+/// The scene's own words, laid out in at most a few lines.
+fn words(ui: &Ui, about: &str, width: f32) -> Arc<Galley> {
+    let weak = Palette::current(ui.ctx()).weak;
+    let mut job = LayoutJob::simple(about.to_owned(), FontId::proportional(12.5), weak, width.max(100.0));
+    job.wrap.max_rows = MOST_LINES;
+    ui.ctx().fonts_mut(|fonts| fonts.layout_job(job))
+}
+
+fn name([x, y]: [u32; 2]) -> String {
+    format!("pixel ({x}, {y})")
 }
 
 /// What was chosen in the bar.
@@ -38,7 +72,7 @@ pub fn ui(ui: &mut Ui, menu: &SceneMenu, open: Option<&OpenScene>, recorded: Opt
         UiBuilder::new().id_salt(salt.to_owned()).max_rect(rect).layout(Layout::left_to_right(Align::Center))
     };
     let chosen = ui
-        .scope_builder(line("upper", upper.shrink2(vec2(14.0, 4.0))), |ui| {
+        .scope_builder(line("upper", upper.shrink2(vec2(MARGIN, 4.0))), |ui| {
             ui.label(RichText::new("rayscope").size(17.0).family(bold()).color(palette.accent));
             ui.add_space(8.0);
             let chosen = menu.ui(ui, open.map_or("none", |open| &open.name));
@@ -50,7 +84,7 @@ pub fn ui(ui: &mut Ui, menu: &SceneMenu, open: Option<&OpenScene>, recorded: Opt
         })
         .inner;
     let pixel = ui
-        .scope_builder(line("lower", lower.shrink2(vec2(14.0, 0.0)).with_max_y(lower.bottom() - 6.0)), |ui| {
+        .scope_builder(line("lower", lower.shrink2(vec2(MARGIN, 0.0)).with_max_y(lower.bottom() - 6.0)), |ui| {
             open.and_then(|open| about(ui, open, recorded))
         })
         .inner;
@@ -71,26 +105,21 @@ fn title(ui: &mut Ui, open: Option<&OpenScene>) {
 /// The scene in its own words, and the pixels that tell its story best.
 fn about(ui: &mut Ui, open: &OpenScene, recorded: Option<[u32; 2]>) -> Option<[u32; 2]> {
     let mut chosen = None;
+    let width = ui.available_width() - pixels_width(ui, &open.scene.pixels);
     ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-        for &[x, y] in open.scene.pixels.iter().take(4).rev() {
-            let name = format!("pixel ({x}, {y})");
-            let button = ui.add(egui::Button::new(name).selected(recorded == Some([x, y])));
+        for &pixel in open.scene.pixels.iter().take(MOST_PIXELS).rev() {
+            let button = ui.add(Button::new(name(pixel)).selected(recorded == Some(pixel)));
             if button.on_hover_text("Record this pixel: it shows what the scene is about.").clicked() {
-                chosen = Some([x, y]);
+                chosen = Some(pixel);
             }
         }
         if !open.scene.pixels.is_empty() {
             ui.label(RichText::new("Try:").weak());
         }
-        ui.add_space(12.0);
         ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
-            let palette = Palette::current(ui.ctx());
-            let font = egui::FontId::proportional(12.5);
-            let mut job = LayoutJob::simple(open.scene.about.clone(), font, palette.weak, ui.available_width());
-            job.wrap.max_rows = 2;
-            let galley = ui.ctx().fonts_mut(|fonts| fonts.layout_job(job));
-            let elided = galley.elided;
-            let label = ui.label(galley);
+            let words = words(ui, &open.scene.about, width);
+            let elided = words.elided;
+            let label = ui.label(words);
             if elided {
                 label.on_hover_text(&open.scene.about);
             }
