@@ -85,9 +85,7 @@ impl ImagePanel {
         let focused = view.recording.map(|recording| recording.pixel);
         let (text, swatch) = match (&self.reading, focused) {
             (Some(reading), _) => (reading.text(), Some(reading.srgb())),
-            (None, Some([x, y])) => {
-                (format!("Pixel ({x}, {y}). Click another, or use the arrow keys."), None)
-            }
+            (None, Some([x, y])) => (format!("Pixel ({x}, {y}). Click another, or use the arrow keys."), None),
             (None, None) => ("Click a pixel to record what its ray does.".to_owned(), None),
         };
         let mut x = line.left() + 10.0;
