@@ -175,9 +175,12 @@ fn every_embedded_scene_traces_to_valid_json() {
     let scenes: Value = serde_json::from_str(&printed(&["scenes", "--format", "json"])).unwrap();
     for scene in scenes.as_array().unwrap() {
         let name = scene["name"].as_str().unwrap();
-        let trace = serde_json::from_str(&printed(&["trace", name, "--format", "json"])).unwrap();
-        let problems: Vec<_> = validator.iter_errors(&trace).map(|error| error.to_string()).collect();
-        assert_eq!(problems, Vec::<String>::new(), "{name}");
+        // The telling pixel, and a ray whose length squared is more than any number.
+        for which in ["--width=64", "--ray=0,0,1e300,0,0,1e300"] {
+            let trace = serde_json::from_str(&printed(&["trace", name, which, "--format", "json"])).unwrap();
+            let problems: Vec<_> = validator.iter_errors(&trace).map(|error| error.to_string()).collect();
+            assert_eq!(problems, Vec::<String>::new(), "{name} {which}");
+        }
     }
 }
 
@@ -386,4 +389,14 @@ fn without_the_workbench_the_program_says_how_to_get_it() {
     let output = rayscope(&[]);
     assert_eq!(output.status.code(), Some(2));
     assert!(complaint(&output).contains("rayscope trace"), "{}", complaint(&output));
+}
+
+#[cfg(all(feature = "workbench", target_os = "linux"))]
+#[test]
+fn without_a_display_the_program_says_so_and_names_the_way_round() {
+    let output =
+        command().env_remove("DISPLAY").env_remove("WAYLAND_DISPLAY").env_remove("WAYLAND_SOCKET").output().unwrap();
+    let said = complaint(&output);
+    assert_eq!((output.status.code(), said.lines().count()), (Some(1), 1), "{said}");
+    assert!(said.contains("display") && said.contains("rayscope trace"), "{said}");
 }

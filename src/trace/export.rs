@@ -4,6 +4,7 @@ use super::picture::srgb;
 use super::tree::RayTree;
 use crate::record::{Event, Triple, What};
 use schemars::generate::SchemaSettings;
+use schemars::transform::RecursiveTransform;
 use schemars::{JsonSchema, Schema};
 use serde::Serialize;
 
@@ -47,5 +48,16 @@ impl<'a> TraceFile<'a> {
 #[must_use]
 pub fn trace_schema() -> Schema {
     // As it is written, not as it would be read: what is left out when empty is not required.
-    SchemaSettings::draft2020_12().for_serialize().into_generator().into_root_schema_for::<TraceFile<'_>>()
+    SchemaSettings::draft2020_12()
+        .for_serialize()
+        .with_transform(RecursiveTransform(allow_null_for_numbers))
+        .into_generator()
+        .into_root_schema_for::<TraceFile<'_>>()
+}
+
+/// JSON has no infinity: a number that is not finite, as from a ray too long to be squared, is written as `null`.
+fn allow_null_for_numbers(schema: &mut Schema) {
+    if schema.get("type").is_some_and(|kind| kind == "number") {
+        schema.insert("type".to_owned(), serde_json::json!(["number", "null"]));
+    }
 }
