@@ -193,20 +193,32 @@ fn objects(
 /// The names of the objects: their own, or their shape's with a number from the second on.
 fn object_names(files: &[Value], problems: &mut Problems) -> Vec<String> {
     let list = Path::Root.field("objects");
-    let text = |file: &Value, field: &str| file.get(field).and_then(Value::as_str).unwrap_or_default().to_owned();
-    let mut names: Vec<_> = files.iter().map(|file| text(file, "name")).collect();
-    for i in 0..names.len() {
-        if let Some(first) = names[..i].iter().position(|name| !name.is_empty() && *name == names[i]) {
-            let message = format!("objects[{first}] has the name `{}` too", names[i]);
+    let mut first_of: BTreeMap<&str, usize> = BTreeMap::new();
+    for (i, name) in files.iter().map(|file| text(file, "name")).enumerate().filter(|(_, name)| !name.is_empty()) {
+        let first = *first_of.entry(name).or_insert(i);
+        if first != i {
+            let message = format!("objects[{first}] has the name `{name}` too");
             problems.add(list.item(i).field("name"), message).help("give each object a name of its own");
         }
     }
-    for i in 0..names.len() {
-        if names[i].is_empty() {
-            let shape = text(&files[i], "shape");
-            let numbered = (1..).map(|n| if n == 1 { shape.clone() } else { format!("{shape} {n}") });
-            names[i] = numbered.into_iter().find(|name| !names.contains(name)).unwrap_or_default();
+    let mut numbers: BTreeMap<&str, usize> = BTreeMap::new();
+    let mut name_of = |file| {
+        let (name, shape) = (text(file, "name"), text(file, "shape"));
+        if !name.is_empty() {
+            return name.to_owned();
         }
-    }
-    names
+        let number = numbers.entry(shape).or_insert(0);
+        loop {
+            *number += 1;
+            let name = if *number == 1 { shape.to_owned() } else { format!("{shape} {number}") };
+            if !first_of.contains_key(name.as_str()) {
+                return name;
+            }
+        }
+    };
+    files.iter().map(&mut name_of).collect()
+}
+
+fn text<'a>(file: &'a Value, field: &str) -> &'a str {
+    file.get(field).and_then(Value::as_str).unwrap_or_default()
 }
