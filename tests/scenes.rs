@@ -1,5 +1,7 @@
 //! The scenes that come with the program.
 
+use glam::DVec3;
+use rayscope::csg::Node;
 use rayscope::scene::{embedded_scene, embedded_scenes, load, scene_schema};
 use std::path::Path;
 
@@ -75,4 +77,63 @@ fn every_scene_is_valid_by_the_committed_schema() {
         let errors: Vec<_> = validator.iter_errors(&value).map(|error| error.to_string()).collect();
         assert_eq!(errors, Vec::<String>::new(), "{}", scene.name);
     }
+}
+
+#[test]
+fn objects_without_a_name_are_named_after_their_shape_and_numbered() {
+    let text = r#"{"materials": {"m": {}}, "objects": [
+        {"shape": "sphere", "material": "m"},
+        {"shape": "cube", "material": "m", "name": "sphere 2"},
+        {"shape": "sphere", "material": "m"},
+        {"shape": "cone", "material": "m"}
+    ]}"#;
+    let scene = load(text, "names.json").unwrap();
+    let names: Vec<_> = scene.objects.iter().map(|object| object.name.as_str()).collect();
+    assert_eq!(names, ["sphere", "sphere 2", "sphere 3", "cone"]);
+}
+
+#[test]
+fn materials_stand_on_leaves_or_are_taken_from_the_compound_around_them() {
+    let text = r#"{"materials": {"clay": {}, "glass": {}}, "solids": {"ball": {"shape": "sphere", "material": "clay"}},
+    "objects": [{"shape": "difference", "material": "glass", "of": [
+        {"shape": "cube"}, {"shape": "union", "material": "clay", "of": [{"shape": "cone"}]}, {"shape": "copy", "solid": "ball"}
+    ]}]}"#;
+    let scene = load(text, "materials.json").unwrap();
+    let object = &scene.objects[0];
+    let names: Vec<_> = object.leaf_materials.iter().map(|&i| scene.materials[i].name.as_str()).collect();
+    assert_eq!(names, ["glass", "clay", "clay"]);
+    assert_eq!(scene.materials[object.material].name, "glass");
+}
+
+#[test]
+fn transforms_are_applied_in_order_and_those_of_compounds_after_those_of_their_parts() {
+    let text = r#"{"materials": {"m": {}}, "objects": [{"shape": "union", "material": "m",
+        "transform": [{"rotate": {"axis": [0, 0, 1], "degrees": 90}}, {"translate": [0, 0, 5]}],
+        "of": [{"shape": "sphere", "transform": [{"scale": [2, 1, 1]}, {"translate": [10, 0, 0]}]}]}]}"#;
+    let scene = load(text, "transforms.json").unwrap();
+    let placement = &scene.objects[0].solid.leaves[0].placement;
+    // (1, 0, 0) is scaled to (2, 0, 0), moved to (12, 0, 0), turned to (0, 12, 0) and moved to (0, 12, 5).
+    assert_eq!(placement.world_from_generic.transform_point3(DVec3::X), DVec3::new(0.0, 12.0, 5.0));
+}
+
+#[test]
+fn operands_are_folded_from_the_left() {
+    let text = r#"{"materials": {"m": {}}, "objects": [{"shape": "difference", "name": "abc", "material": "m",
+        "of": [{"shape": "cube"}, {"shape": "sphere"}, {"shape": "cone"}]}]}"#;
+    let scene = load(text, "fold.json").unwrap();
+    let Node::Pair { name, left, right, .. } = &scene.objects[0].solid.root else { panic!("the root is not a pair") };
+    assert_eq!(name, "abc");
+    assert!(matches!(**right, Node::Leaf { leaf: 2, .. }));
+    let Node::Pair { name, left, right, .. } = &**left else { panic!("the left side is not a pair") };
+    assert_eq!(name, "difference");
+    assert!(matches!((&**left, &**right), (Node::Leaf { leaf: 0, .. }, Node::Leaf { leaf: 1, .. })));
+}
+
+#[test]
+fn an_empty_object_is_an_empty_scene_with_every_default() {
+    let scene = load("{}", "empty.json").unwrap();
+    assert_eq!((scene.image.width, scene.image.height), (640, 480));
+    assert!(scene.objects.is_empty() && scene.lights.is_empty() && scene.pixels.is_empty());
+    assert_eq!((scene.limits.depth, scene.limits.contribution), (8, 0.002));
+    assert!((scene.camera.forward.length() - 1.0).abs() < 1e-15);
 }

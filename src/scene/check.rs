@@ -71,14 +71,11 @@ fn check_word(words: &[String], word: &str, path: Path, problems: &mut Problems)
 fn check_record(rules: &Rules, record: &Record, fields: &Map<String, Value>, path: Path, problems: &mut Problems) {
     let mistyped: Vec<_> = fields.keys().filter(|name| record.field(name).is_none()).collect();
     for (name, value) in fields {
-        match record.field(name) {
-            Some(rule) => check(rules, rule, value, path.field(name), problems),
-            None => {
-                let missing = record.fields.iter().map(|(field, _)| field.as_str());
-                problems
-                    .add_at_name(path.field(name), format!("unknown field `{name}`"))
-                    .suggest("fields", name, missing);
-            }
+        if let Some(rule) = record.field(name) {
+            check(rules, rule, value, path.field(name), problems);
+        } else {
+            let known = record.fields.iter().map(|(field, _)| field.as_str());
+            problems.add_at_name(path.field(name), format!("unknown field `{name}`")).suggest("fields", name, known);
         }
     }
     for name in record.required.iter().filter(|name| !fields.contains_key(*name)) {

@@ -3,6 +3,7 @@
 use super::check::check;
 use super::diagnostics::Diagnostics;
 use super::file::{CameraFile, LightFile, LimitsFile, MOST_PIXELS, MaterialFile, MediaFile, SceneFile, scene_schema};
+use super::lenient::Lenient;
 use super::model::{Camera, Image, Light, LightKind, Limits, Material, MediaPolicy, Object, Scene};
 use super::problem::{Path, Problem, Problems};
 use super::rules::Rules;
@@ -51,7 +52,7 @@ fn compile(file: SceneFile, problems: &mut Problems) -> Option<Scene> {
     Some(Scene {
         title: file.title.or_default(),
         about: file.about.or_default(),
-        sections: file.sections.or_default().into_iter().map(super::lenient::Lenient::or_default).collect(),
+        sections: file.sections.or_default().into_iter().map(Lenient::or_default).collect(),
         camera: camera?,
         image,
         ambient: DVec3::from_array(file.ambient.or_default().0.0),
@@ -74,7 +75,7 @@ fn limits(file: LimitsFile) -> Limits {
 }
 
 fn image(file: &SceneFile, problems: &mut Problems) -> Image {
-    let size = file.image.clone().or_default();
+    let size = file.image.or_default();
     let pixels = u64::from(size.width) * u64::from(size.height);
     if pixels > MOST_PIXELS {
         let message = format!("an image of {} × {} has too many pixels", size.width, size.height);
@@ -118,7 +119,7 @@ fn unit(v: DVec3) -> Option<DVec3> {
 
 fn pixels(file: &SceneFile, image: Image, problems: &mut Problems) -> Vec<[u32; 2]> {
     let list = Path::Root.field("pixels");
-    let pixels: Vec<_> = file.pixels.clone().or_default().into_iter().map(|pixel| pixel.or_default()).collect();
+    let pixels: Vec<_> = file.pixels.clone().or_default().into_iter().map(Lenient::or_default).collect();
     for (i, [x, y]) in pixels.iter().enumerate() {
         if *x >= image.width || *y >= image.height {
             problems.add(list.item(i), format!("the pixel ({x}, {y}) lies outside the image")).help(format!(
@@ -173,13 +174,13 @@ fn objects(
 ) -> Vec<Object> {
     let in_circles = find_circles(named, problems);
     SolidReader::look_at_named(named, problems);
-    let names = object_names(files, problems);
+    let object_names = object_names(files, problems);
     let list = Path::Root.field("objects");
     let mut reader = SolidReader::new(named, Some(materials), problems);
     reader.follow_copies = !in_circles;
     let compiled: Vec<_> =
         files.iter().enumerate().map(|(i, file)| reader.solid(file, list.item(i), Around::NOTHING)).collect();
-    let each = files.iter().zip(names).zip(compiled);
+    let each = files.iter().zip(object_names).zip(compiled);
     each.filter_map(|((file, name), compiled)| {
         let compiled = compiled?;
         let own = file.get("material").and_then(Value::as_str).and_then(|name| materials.get(name)).copied();
@@ -193,20 +194,32 @@ fn objects(
 /// The names of the objects: their own, or their shape's with a number from the second on.
 fn object_names(files: &[Value], problems: &mut Problems) -> Vec<String> {
     let list = Path::Root.field("objects");
-    let text = |file: &Value, field: &str| file.get(field).and_then(Value::as_str).unwrap_or_default().to_owned();
-    let mut names: Vec<_> = files.iter().map(|file| text(file, "name")).collect();
-    for i in 0..names.len() {
-        if let Some(first) = names[..i].iter().position(|name| !name.is_empty() && *name == names[i]) {
-            let message = format!("objects[{first}] has the name `{}` too", names[i]);
+    let mut first_of: BTreeMap<&str, usize> = BTreeMap::new();
+    for (i, name) in files.iter().map(|file| text(file, "name")).enumerate().filter(|(_, name)| !name.is_empty()) {
+        let first = *first_of.entry(name).or_insert(i);
+        if first != i {
+            let message = format!("objects[{first}] has the name `{name}` too");
             problems.add(list.item(i).field("name"), message).help("give each object a name of its own");
         }
     }
-    for i in 0..names.len() {
-        if names[i].is_empty() {
-            let shape = text(&files[i], "shape");
-            let numbered = (1..).map(|n| if n == 1 { shape.clone() } else { format!("{shape} {n}") });
-            names[i] = numbered.into_iter().find(|name| !names.contains(name)).unwrap_or_default();
+    let mut numbers: BTreeMap<&str, usize> = BTreeMap::new();
+    let mut name_of = |file| {
+        let (name, shape) = (text(file, "name"), text(file, "shape"));
+        if !name.is_empty() {
+            return name.to_owned();
         }
-    }
-    names
+        let number = numbers.entry(shape).or_insert(0);
+        loop {
+            *number += 1;
+            let name = if *number == 1 { shape.to_owned() } else { format!("{shape} {number}") };
+            if !first_of.contains_key(name.as_str()) {
+                return name;
+            }
+        }
+    };
+    files.iter().map(&mut name_of).collect()
+}
+
+fn text<'a>(file: &'a Value, field: &str) -> &'a str {
+    file.get(field).and_then(Value::as_str).unwrap_or_default()
 }

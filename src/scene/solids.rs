@@ -172,10 +172,10 @@ impl<'a> SolidReader<'a> {
             operands.iter().enumerate().map(|(i, operand)| self.solid(operand, list.item(i), inner)).collect();
         let mut operands = compiled.into_iter().collect::<Option<Vec<_>>>()?.into_iter();
         let mut result = operands.next()?;
-        let last = operands.len();
+        let pairs = operands.len();
         for (i, operand) in operands.enumerate() {
             // The whole has the name; what the fold makes on the way has the operator's.
-            let name = if i + 1 == last { name } else { operator.name() };
+            let name = if i + 1 == pairs { name } else { operator.name() };
             result.levels = result.levels.max(operand.levels) + 1;
             if result.levels > MOST_LEVELS {
                 self.problems

@@ -49,7 +49,7 @@ fn matrix(rows: [[f64; 4]; 3]) -> Result<DAffine3, (&'static str, String)> {
     if determinant == 0.0 {
         return Err(("", "the matrix is singular: its determinant is 0, so it has no inverse".into()));
     }
-    Ok(DAffine3 { matrix3: linear.into(), translation: column(3) })
+    Ok(DAffine3 { matrix3: linear, translation: column(3) })
 }
 
 /// The rotation about `axis`, or none if the axis is zero.
