@@ -6,12 +6,14 @@ use crate::record::{Edge, Entry, Operator, Recorder, Span, Value, What};
 use glam::DVec3;
 
 /// The test against a box.
+#[track_caller]
 pub fn extent(name: &str, extent: &Extent, inside: Option<[f64; 2]>) -> Entry {
     let (low, high) = (extent.low.to_array(), extent.high.to_array());
     Entry::new(What::Extent { of: name.to_owned(), low, high, inside })
 }
 
 /// The ray in a primitive's generic coordinates, unscaled.
+#[track_caller]
 pub fn transform(leaf: &Leaf, origin: DVec3, direction: DVec3) -> Entry {
     let inverse = &leaf.placement.generic_from_world;
     let (s, c) = (inverse.transform_point3(origin).to_array(), inverse.transform_vector3(direction).to_array());
@@ -27,12 +29,14 @@ pub fn transform(leaf: &Leaf, origin: DVec3, direction: DVec3) -> Entry {
 }
 
 /// A primitive's own result, before any CSG.
+#[track_caller]
 pub fn primitive(leaf: &Leaf, index: usize, list: &IntervalList) -> Entry {
     let (shape, name) = (leaf.shape.name().to_owned(), leaf.name.clone());
     Entry::new(What::Primitive { shape, name, leaf: index, hits: list.boundaries().len() })
 }
 
 /// The three lists of a node.
+#[track_caller]
 pub fn combine(solid: &Solid, name: &str, operator: Operator, lists: &Lists, early_out: Option<&str>) -> Entry {
     Entry::new(What::Combine {
         name: name.to_owned(),

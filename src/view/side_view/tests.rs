@@ -196,7 +196,9 @@ fn texts_never_collide_and_are_never_cut_off() {
                     crate::view::interval_bars(&tree, step, size, Theme::Dark),
                     crate::view::sign_plot(&tree, step, size, Theme::Light),
                 ] {
-                    drawing.iter().for_each(|drawing| assert_readable(drawing, &what));
+                    for drawing in &drawing {
+                        assert_readable(drawing, &what);
+                    }
                 }
             }
         }

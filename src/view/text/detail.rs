@@ -285,7 +285,7 @@ fn snell_lines(what: &What) -> Vec<DetailLine> {
         pair("n₁, n₂", format!("{}, {}", format_number(*n1), format_number(*n2))),
         pair("θ₁", degrees(*theta1)),
         pair("θ₂", theta2.map_or("none: total internal reflection".to_owned(), degrees)),
-        pair("critical angle", critical.map_or("none: n₁ ≤ n₂".to_owned(), degrees)),
+        pair("critical angle", critical.map_or("none: n₁ < n₂".to_owned(), degrees)),
         pair("refracted", refracted.map_or_else(none, vector)),
         pair("Fresnel reflectance", percent(*reflectance)),
     ]
