@@ -375,6 +375,26 @@ fn the_side_view_and_the_plots_are_drawn() {
 }
 
 #[test]
+fn dragging_moves_the_side_view_and_fit_brings_it_back() {
+    let mut bench = open("csg/bowl");
+    let fit_is_offered =
+        |bench: &Bench| !bench.get_by_role_and_label(Role::Button, "Fit").accesskit_node().is_disabled();
+    assert!(!fit_is_offered(&bench));
+    let middle = bench.get_by_role_and_label(Role::Image, "Side view").rect().center();
+    bench.hover_at(middle);
+    bench.drag_at(middle);
+    settle(&mut bench);
+    bench.hover_at(middle + Vec2::new(40.0, 10.0));
+    settle(&mut bench);
+    bench.drop_at(middle + Vec2::new(40.0, 10.0));
+    settle(&mut bench);
+    assert!(fit_is_offered(&bench));
+    bench.get_by_role_and_label(Role::Button, "Fit").click();
+    settle(&mut bench);
+    assert!(!fit_is_offered(&bench));
+}
+
+#[test]
 fn every_embedded_scene_can_be_stepped_through_without_a_missing_glyph() {
     for scene in rayscope::scene::embedded_scenes() {
         let mut bench = open(&scene.name);
