@@ -32,7 +32,7 @@ pub struct Extents {
     pub misses: u64,
 }
 
-/// Wall-clock seconds by phase.
+/// Wall-clock seconds by phase, to the microsecond.
 #[derive(Debug, Serialize)]
 pub struct Seconds {
     pub load: f64,
@@ -50,7 +50,8 @@ pub struct Effect {
 
 impl Seconds {
     pub fn new(load: Duration, render: Duration, write: Duration) -> Self {
-        Self { load: load.as_secs_f64(), render: render.as_secs_f64(), write: write.as_secs_f64() }
+        let seconds = |phase: Duration| phase.as_micros() as f64 / 1e6;
+        Self { load: seconds(load), render: seconds(render), write: seconds(write) }
     }
 }
 

@@ -70,27 +70,13 @@ impl Tracer<'_> {
     pub(super) fn find_all_intersections(&self, ray: &Ray, recorder: &mut impl Recorder) -> Vec<Found> {
         let mut found = Vec::new();
         for (index, object) in self.scene.objects.iter().enumerate() {
-            let list = self.intersect(index, object, ray, recorder);
+            let list = intersect(index, object, ray, recorder);
             if !list.is_empty() {
                 let departed = ray.departure.and_then(|departure| departure.boundary(index, &list));
                 found.push(Found { object: index, list, departed });
             }
         }
         found
-    }
-
-    /// The ray's inside intervals in one object.
-    pub(super) fn intersect(
-        &self,
-        index: usize,
-        object: &Object,
-        ray: &Ray,
-        recorder: &mut impl Recorder,
-    ) -> IntervalList {
-        recorder.begin();
-        let list = object.solid.inside::<f64>(ray.origin, ray.direction, recorder);
-        recorder.end(|| Entry::new(What::Object { index, name: object.name.clone(), intervals: list.intervals.len() }));
-        list
     }
 
     /// Step 3: the boundary that lies closest to and in front of the ray's start; the object list decides ties.
@@ -173,6 +159,14 @@ impl Tracer<'_> {
             surface.point.to_array(),
         )
     }
+}
+
+/// The ray's inside intervals in one object.
+pub(super) fn intersect(index: usize, object: &Object, ray: &Ray, recorder: &mut impl Recorder) -> IntervalList {
+    recorder.begin();
+    let list = object.solid.inside::<f64>(ray.origin, ray.direction, recorder);
+    recorder.end(|| Entry::new(What::Object { index, name: object.name.clone(), intervals: list.intervals.len() }));
+    list
 }
 
 /// Why a boundary is not the one that is seen.

@@ -1,6 +1,6 @@
 //! The ambient, diffuse and specular terms, and the shadow rays that they ask for.
 
-use super::closest::{Found, Surface};
+use super::closest::{Found, Surface, intersect};
 use super::departure::Departure;
 use super::ray::{Components, Ray, Tracer};
 use crate::csg::Boundary;
@@ -116,7 +116,7 @@ impl Tracer<'_> {
         recorder.begin();
         let mut share = 1.0;
         for (index, object) in self.scene.objects.iter().enumerate() {
-            let list = self.intersect(index, object, &shadow, recorder);
+            let list = intersect(index, object, &shadow, recorder);
             let departed = shadow.departure.and_then(|departure| departure.boundary(index, &list));
             share *= self.passed(&Found { object: index, list, departed }, way.limit, recorder);
             if share == 0.0 {

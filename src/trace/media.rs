@@ -35,7 +35,9 @@ impl Tracer<'_> {
             .collect();
         around.sort_by(|a, b| a.0.total_cmp(&b.0));
         let mut media = MediaStack::default();
-        around.into_iter().for_each(|(_, object)| media.enter(object));
+        for (_, object) in around {
+            media.enter(object);
+        }
         media
     }
 

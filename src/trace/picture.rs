@@ -132,7 +132,7 @@ fn trace_row(scene: &Scene, y: u32, side: u32, coarsest: u32, progress: &Progres
         if progress.cancelled() {
             break;
         }
-        let known = side < coarsest && x % (2 * side) == 0 && y % (2 * side) == 0;
+        let known = side < coarsest && x.is_multiple_of(2 * side) && y.is_multiple_of(2 * side);
         if !known {
             row.pixels.push((x, trace_pixel(scene, x, y, &mut row.tally)));
             progress.done.fetch_add(1, Ordering::Relaxed);

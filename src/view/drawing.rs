@@ -5,7 +5,6 @@
 use super::fonts::{Face, text_width};
 use super::palette::Colour;
 use crate::record::EventId;
-use std::fmt::Write as _;
 
 /// A place in a drawing.
 pub type Spot = [f64; 2];
@@ -232,21 +231,6 @@ impl Drawing {
         self.marks.push(Mark { form, event: event.into() });
     }
 
-    /// The event whose mark lies at `at`, or within `reach` points of it. Lines and points win over areas, nearer ones
-    /// over farther ones, and upper ones over lower ones.
-    #[must_use]
-    pub fn event_at(&self, at: Spot, reach: f64) -> Option<EventId> {
-        let mut best: Option<(f64, EventId)> = None;
-        for mark in self.marks.iter().rev() {
-            let Some(event) = mark.event else { continue };
-            let distance = mark.form.distance(at);
-            if distance <= reach && best.is_none_or(|(nearest, _)| distance < nearest) {
-                best = Some((distance, event));
-            }
-        }
-        best.map(|(_, event)| event)
-    }
-
     /// All texts.
     pub fn texts(&self) -> impl Iterator<Item = &Text> {
         self.marks.iter().filter_map(|mark| match &mark.form {
@@ -254,126 +238,6 @@ impl Drawing {
             _ => None,
         })
     }
-
-    /// The list of marks as text, rounded to a tenth of a point, for comparing drawings.
-    #[must_use]
-    pub fn to_text(&self) -> String {
-        let mut text = format!("drawing {} × {} on {}\n", tenth(self.width), tenth(self.height), hex(self.background));
-        for mark in &self.marks {
-            text.push_str(&mark.form.to_text());
-            if let Some(event) = mark.event {
-                let _ = write!(text, "  event {event}");
-            }
-            text.push('\n');
-        }
-        text
-    }
-}
-
-/// An area counts as this far away, so that what is drawn on it is found first.
-const AREA_DISTANCE: f64 = 1e-3;
-
-impl Form {
-    /// How far away `at` is.
-    fn distance(&self, at: Spot) -> f64 {
-        match self {
-            Self::Line { points, .. } => {
-                points.windows(2).map(|ends| distance_to_line(at, ends[0], ends[1])).fold(f64::INFINITY, f64::min)
-            }
-            Self::Area { rings, .. } => {
-                if is_within(rings, at) {
-                    AREA_DISTANCE
-                } else {
-                    f64::INFINITY
-                }
-            }
-            Self::Circle { centre, radius, fill, .. } => {
-                let distance = length([at[0] - centre[0], at[1] - centre[1]]) - radius;
-                if fill.is_some() { distance.max(0.0) } else { distance.abs() }
-            }
-            Self::Arc { centre, radius, .. } => (length([at[0] - centre[0], at[1] - centre[1]]) - radius).abs(),
-            Self::Arrow { from, to, .. } => distance_to_line(at, *from, *to),
-            Self::Rect { frame, .. } => {
-                if frame.contains(at) {
-                    AREA_DISTANCE
-                } else {
-                    f64::INFINITY
-                }
-            }
-            Self::Text(text) => {
-                if text.frame().contains(at) {
-                    0.0
-                } else {
-                    f64::INFINITY
-                }
-            }
-        }
-    }
-
-    fn to_text(&self) -> String {
-        match self {
-            Self::Line { points, stroke } => format!("line {} {}", path(points), stroke_text(stroke)),
-            Self::Area { rings, fill } => {
-                let rings: Vec<_> = rings.iter().map(|ring| path(ring)).collect();
-                format!("area {} fill {}", rings.join(" and "), hex(*fill))
-            }
-            Self::Circle { centre, radius, fill, stroke } => {
-                format!("circle {} r {}{}", spot(*centre), tenth(*radius), paint_text(*fill, *stroke))
-            }
-            Self::Arc { centre, radius, angles: [from, to], stroke } => {
-                let [from, to] = [from.to_degrees(), to.to_degrees()].map(tenth);
-                format!("arc {} r {} {from}°…{to}° {}", spot(*centre), tenth(*radius), stroke_text(stroke))
-            }
-            Self::Arrow { from, to, stroke, .. } => {
-                format!("arrow {} → {} {}", spot(*from), spot(*to), stroke_text(stroke))
-            }
-            Self::Rect { frame, fill, stroke } => {
-                format!("rect {} … {}{}", spot(frame.low), spot(frame.high), paint_text(*fill, *stroke))
-            }
-            Self::Text(Text { at, text, anchor, size, colour, face, .. }) => {
-                let anchor = ["start", "middle", "end"][*anchor as usize];
-                let face = ["", " bold", " mono"][*face as usize];
-                format!("text {} {anchor} {}{face} {} “{text}”", spot(*at), tenth(*size), hex(*colour))
-            }
-        }
-    }
-}
-
-/// One decimal, without a negative zero.
-fn tenth(x: f64) -> String {
-    let text = format!("{x:.1}");
-    if text == "-0.0" { "0.0".to_owned() } else { text }
-}
-
-fn spot(at: Spot) -> String {
-    format!("{},{}", tenth(at[0]), tenth(at[1]))
-}
-
-/// Long paths are cut: their ends and number of points tell one from another.
-fn path(points: &[Spot]) -> String {
-    const SHOWN: usize = 6;
-    let shown: Vec<_> = points.iter().take(SHOWN).map(|&at| spot(at)).collect();
-    let more = points.len().saturating_sub(SHOWN);
-    match (more, points.last()) {
-        (1.., Some(&last)) => format!("{} … {} ({} points)", shown.join(" "), spot(last), points.len()),
-        _ => shown.join(" "),
-    }
-}
-
-fn hex(colour: Colour) -> String {
-    let Colour { r, g, b, a } = colour;
-    if a == 255 { format!("#{r:02x}{g:02x}{b:02x}") } else { format!("#{r:02x}{g:02x}{b:02x}{a:02x}") }
-}
-
-fn stroke_text(stroke: &Stroke) -> String {
-    let dash = if stroke.dash.is_some() { " dashed" } else { "" };
-    format!("{} {}{dash}", hex(stroke.colour), tenth(stroke.width))
-}
-
-fn paint_text(fill: Option<Colour>, stroke: Option<Stroke>) -> String {
-    let fill = fill.map(|fill| format!(" fill {}", hex(fill))).unwrap_or_default();
-    let stroke = stroke.map(|stroke| format!(" rim {}", stroke_text(&stroke))).unwrap_or_default();
-    fill + &stroke
 }
 
 /// The length of a vector.
@@ -381,60 +245,10 @@ pub(super) fn length(v: Spot) -> f64 {
     v[0].hypot(v[1])
 }
 
-fn distance_to_line(at: Spot, from: Spot, to: Spot) -> f64 {
-    let along = [to[0] - from[0], to[1] - from[1]];
-    let squared = along[0] * along[0] + along[1] * along[1];
-    let offset = [at[0] - from[0], at[1] - from[1]];
-    let share =
-        if squared > 0.0 { ((offset[0] * along[0] + offset[1] * along[1]) / squared).clamp(0.0, 1.0) } else { 0.0 };
-    length([offset[0] - share * along[0], offset[1] - share * along[1]])
-}
-
-fn is_within(rings: &[Vec<Spot>], at: Spot) -> bool {
-    let mut inside = false;
-    for ring in rings {
-        for (i, &a) in ring.iter().enumerate() {
-            let b = ring[(i + 1) % ring.len()];
-            let crosses = (a[1] > at[1]) != (b[1] > at[1]);
-            if crosses && at[0] < a[0] + (at[1] - a[1]) / (b[1] - a[1]) * (b[0] - a[0]) {
-                inside = !inside;
-            }
-        }
-    }
-    inside
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::view::Theme;
-
-    fn drawing() -> Drawing {
-        let palette = Theme::Light.palette();
-        let mut drawing = Drawing::new([100.0, 80.0], palette.ground);
-        let square = |low: f64, high: f64| vec![[low, low], [high, low], [high, high], [low, high]];
-        drawing.put(Form::Area { rings: vec![square(10.0, 60.0), square(30.0, 40.0)], fill: palette.left }, 1);
-        drawing
-            .put(Form::Line { points: vec![[0.0, 20.0], [100.0, 20.0]], stroke: Stroke::solid(palette.ink, 1.0) }, 2);
-        drawing
-    }
-
-    #[test]
-    fn a_line_on_an_area_is_found_first_and_a_hole_is_not_the_area() {
-        let drawing = drawing();
-        assert_eq!(drawing.event_at([15.0, 50.0], 3.0), Some(1));
-        assert_eq!(drawing.event_at([15.0, 20.0], 3.0), Some(2));
-        assert_eq!(drawing.event_at([80.0, 22.0], 3.0), Some(2));
-        assert_eq!(drawing.event_at([35.0, 35.0], 3.0), None);
-        assert_eq!(drawing.event_at([80.0, 70.0], 3.0), None);
-    }
-
-    #[test]
-    fn the_list_of_marks_reads_as_text() {
-        let text = drawing().to_text();
-        assert!(text.starts_with("drawing 100.0 × 80.0 on #ffffff\narea 10.0,10.0 60.0,10.0"), "{text}");
-        assert!(text.ends_with("line 0.0,20.0 100.0,20.0 #1c1f24 1.0  event 2\n"), "{text}");
-    }
 
     #[test]
     fn a_size_that_makes_no_sense_becomes_one_that_does() {

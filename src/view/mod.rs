@@ -6,8 +6,10 @@ mod axis;
 mod drawing;
 mod flights;
 mod fonts;
+mod hit_test;
 mod interval_bars;
 mod labels;
+mod marks_text;
 mod paint;
 mod palette;
 #[cfg(test)]

@@ -4,6 +4,7 @@ mod detail;
 mod explain;
 mod format;
 mod row;
+mod tables;
 mod tree;
 
 pub use detail::{Detail, DetailLine, detail};
