@@ -13,7 +13,7 @@ use std::time::{Duration, Instant};
 type Bench<'a> = Harness<'a, Option<Workbench>>;
 
 /// Long enough for the slowest machine; a test that waits this long has failed.
-const PATIENCE: Duration = Duration::from_secs(60);
+const PATIENCE: Duration = Duration::from_mins(1);
 
 fn open_at<'a>(scene: &str, size: Vec2) -> Bench<'a> {
     let text = embedded_scene(scene).expect("the scene is embedded").text;
@@ -70,7 +70,7 @@ fn click(bench: &mut Bench, at: Pos2) {
             pos: at,
             button: PointerButton::Primary,
             pressed,
-            modifiers: Default::default(),
+            modifiers: egui::Modifiers::default(),
         });
     }
     settle(bench);
