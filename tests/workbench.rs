@@ -13,7 +13,7 @@ use std::time::{Duration, Instant};
 type Bench<'a> = Harness<'a, Option<Workbench>>;
 
 /// Long enough for the slowest machine; a test that waits this long has failed.
-const PATIENCE: Duration = Duration::from_secs(60);
+const PATIENCE: Duration = Duration::from_mins(1);
 
 fn open_at<'a>(scene: &str, size: Vec2) -> Bench<'a> {
     let text = embedded_scene(scene).expect("the scene is embedded").text;
@@ -70,7 +70,7 @@ fn click(bench: &mut Bench, at: Pos2) {
             pos: at,
             button: PointerButton::Primary,
             pressed,
-            modifiers: Default::default(),
+            modifiers: egui::Modifiers::default(),
         });
     }
     settle(bench);
@@ -372,6 +372,26 @@ fn the_side_view_and_the_plots_are_drawn() {
     bench.state_mut().as_mut().expect("shown").select(node);
     wait_until(&mut bench, "the interval bars", |bench| bench.query_by_label("Interval bars").is_some());
     assert!(bench.query_by_role_and_label(Role::Image, "Side view").is_some());
+}
+
+#[test]
+fn dragging_moves_the_side_view_and_fit_brings_it_back() {
+    let mut bench = open("csg/bowl");
+    let fit_is_offered =
+        |bench: &Bench| !bench.get_by_role_and_label(Role::Button, "Fit").accesskit_node().is_disabled();
+    assert!(!fit_is_offered(&bench));
+    let middle = bench.get_by_role_and_label(Role::Image, "Side view").rect().center();
+    bench.hover_at(middle);
+    bench.drag_at(middle);
+    settle(&mut bench);
+    bench.hover_at(middle + Vec2::new(40.0, 10.0));
+    settle(&mut bench);
+    bench.drop_at(middle + Vec2::new(40.0, 10.0));
+    settle(&mut bench);
+    assert!(fit_is_offered(&bench));
+    bench.get_by_role_and_label(Role::Button, "Fit").click();
+    settle(&mut bench);
+    assert!(!fit_is_offered(&bench));
 }
 
 #[test]

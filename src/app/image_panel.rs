@@ -96,7 +96,7 @@ impl ImagePanel {
             x += 20.0;
         }
         let place = Rect::from_min_max(pos2(x, line.top()), line.max - vec2(8.0, 0.0));
-        let label = egui::Label::new(egui::RichText::new(text).size(12.0).color(palette.weak)).truncate();
+        let label = egui::Label::new(egui::RichText::new(text).small().color(palette.weak)).truncate();
         let builder = egui::UiBuilder::new().max_rect(place).layout(egui::Layout::left_to_right(egui::Align::Center));
         ui.scope_builder(builder, |ui| ui.add(label));
     }

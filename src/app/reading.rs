@@ -1,8 +1,9 @@
 //! What is read of the pixel under the pointer: its colour and the object that is seen in it.
 
-use crate::record::{Counter, Entry, NullRecorder, Recorder, What, format_number};
+use crate::record::{Counter, Entry, NullRecorder, Recorder, What};
 use crate::scene::{Rgb, Scene};
 use crate::trace::{srgb, trace_pixel};
+use crate::view::brief;
 
 /// The pixel under the pointer, as traced.
 #[derive(Clone, Debug, PartialEq)]
@@ -35,7 +36,7 @@ impl Reading {
     #[must_use]
     pub fn text(&self) -> String {
         let [x, y] = self.pixel;
-        let linear = self.linear.to_array().map(format_number).join(", ");
+        let linear = self.linear.to_array().map(brief).join(", ");
         let stored = self.srgb().map(|channel| channel.to_string()).join(", ");
         let object = self.object.as_deref().unwrap_or("background");
         format!("({x}, {y}) · {object} · linear {linear} · sRGB {stored}")
