@@ -229,8 +229,8 @@ pub fn wrapped(text: &str, width: f64, size: f64, face: Face) -> Vec<String> {
         return vec![text.to_owned()];
     }
     let breaks = text.match_indices(' ').map(|(place, _)| place);
-    let fits = breaks.filter(|&place| text_width(&text[..place], size, face) <= width);
-    match fits.last() {
+    let mut fits = breaks.filter(|&place| text_width(&text[..place], size, face) <= width);
+    match fits.next_back() {
         Some(place) => vec![text[..place].to_owned(), shortened(&text[place + 1..], width, size, face)],
         None => vec![shortened(text, width, size, face)],
     }
