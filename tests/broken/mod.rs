@@ -1,0 +1,15 @@
+//! The tables of broken scene files, with what each must be told.
+
+mod files;
+mod objects;
+
+pub use files::FILES;
+pub use objects::OBJECTS;
+
+/// A text with one mistake, where it is (line, column, path in the JSON), and what has to be said about it.
+pub struct Case {
+    pub text: &'static str,
+    pub place: &'static str,
+    pub message: &'static str,
+    pub help: &'static str,
+}

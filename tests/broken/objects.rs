@@ -1,0 +1,217 @@
+//! Objects that are broken, each to be put into an otherwise sound file.
+
+use super::Case;
+
+/// Objects; they stand in line 4 of a file that has the materials `clay` and `glass` and the named solid `globe`.
+pub const OBJECTS: &[Case] = &[
+    Case {
+        text: r#""sphere""#,
+        place: "4:1 at objects[0]",
+        message: r#"expected an object with a `shape`, found the string "sphere""#,
+        help: "",
+    },
+    Case {
+        text: "{}",
+        place: "4:1 at objects[0]",
+        message: "the field `shape` is missing",
+        help: "the shapes here are `plane`, `sphere`, `square`, `tapered_cylinder`, `cylinder`, `cone`, `cube`, `convex_polyhedron`, `torus`, `superellipsoid`, `union`, `intersection`, `difference`, `copy`",
+    },
+    Case {
+        text: r#"{"shap": "sphere"}"#,
+        place: "4:2 at objects[0].shap",
+        message: "unknown field `shap`",
+        help: "did you mean `shape`?",
+    },
+    Case {
+        text: r#"{"shape": "shpere"}"#,
+        place: "4:11 at objects[0].shape",
+        message: "unknown shape `shpere`",
+        help: "did you mean `sphere`?",
+    },
+    Case {
+        text: r#"{"shape": "dodecahedron"}"#,
+        place: "4:11 at objects[0].shape",
+        message: "unknown shape `dodecahedron`",
+        help: "the shapes here are `plane`, `sphere`, `square`, `tapered_cylinder`, `cylinder`, `cone`, `cube`, `convex_polyhedron`, `torus`, `superellipsoid`, `union`, `intersection`, `difference`, `copy`",
+    },
+    Case {
+        text: r#"{"shape": 7}"#,
+        place: "4:11 at objects[0].shape",
+        message: "expected the name of a shape, found the number 7",
+        help: "",
+    },
+    Case {
+        text: r#"{"shape": "sphere", "material": "glas"}"#,
+        place: "4:33 at objects[0].material",
+        message: "unknown material `glas`",
+        help: "did you mean `glass`?",
+    },
+    Case {
+        text: r#"{"shape": "sphere", "material": "banana"}"#,
+        place: "4:33 at objects[0].material",
+        message: "unknown material `banana`",
+        help: "the materials here are `clay`, `glass`",
+    },
+    Case {
+        text: r#"{"shape": "sphere", "radius": 2, "material": "glass"}"#,
+        place: "4:21 at objects[0].radius",
+        message: "unknown field `radius`",
+        help: "the fields here are `shape`, `name`, `material`, `priority`, `transform`",
+    },
+    Case {
+        text: r#"{"shape": "union", "of": [{"shape": "sphere", "name": "left"}, {"shape": "cube", "material": "clay"}]}"#,
+        place: "4:27 at objects[0].of[0]",
+        message: "`left` has no material",
+        help: "give it a `material`, or one of the solids around it",
+    },
+    Case {
+        text: r#"{"shape": "tapered_cylinder", "material": "clay"}"#,
+        place: "4:1 at objects[0]",
+        message: "the field `s` is missing",
+        help: "expected a number",
+    },
+    Case {
+        text: r#"{"shape": "tapered_cylinder", "s": -0.5, "material": "clay"}"#,
+        place: "4:36 at objects[0].s",
+        message: "s is -0.5; the cap's radius needs to be 0 or more",
+        help: "",
+    },
+    Case {
+        text: r#"{"shape": "torus", "d": 0, "material": "clay"}"#,
+        place: "4:25 at objects[0].d",
+        message: "d is 0; the distance from the axis to the middle of the tube needs to be more than 0",
+        help: "",
+    },
+    Case {
+        text: r#"{"shape": "superellipsoid", "n": 0, "m": 2, "material": "clay"}"#,
+        place: "4:34 at objects[0].n",
+        message: "n is 0; an exponent needs to be more than 0",
+        help: "",
+    },
+    Case {
+        text: r#"{"shape": "superellipsoid", "n": 2, "m": -1, "material": "clay"}"#,
+        place: "4:42 at objects[0].m",
+        message: "m is -1; an exponent needs to be more than 0",
+        help: "",
+    },
+    Case {
+        text: r#"{"shape": "convex_polyhedron", "planes": [{"normal": [0, 0, 1], "offset": 1}], "material": "clay"}"#,
+        place: "4:42 at objects[0].planes",
+        message: "a convex polyhedron is unbounded with 1 planes; it needs 4 or more",
+        help: "",
+    },
+    Case {
+        text: r#"{"shape": "convex_polyhedron", "planes": [{"normal": [1, 0, 0], "offset": 1}, {"normal": [0, 1, 0], "offset": 1}, {"normal": [0, 0, 1], "offset": 1}, {"normal": [1, 1, 1], "offset": 1}], "material": "clay"}"#,
+        place: "4:42 at objects[0].planes",
+        message: "the polyhedron is unbounded: no plane closes it in the direction (0.000, 0.000, -1.000)",
+        help: "",
+    },
+    Case {
+        text: r#"{"shape": "convex_polyhedron", "planes": [{"normal": [1, 1, 1], "offset": -9}, {"normal": [-1, 0, 0], "offset": 1}, {"normal": [0, -1, 0], "offset": 1}, {"normal": [0, 0, -1], "offset": 1}], "material": "clay"}"#,
+        place: "4:42 at objects[0].planes",
+        message: "the planes leave no solid: no point lies strictly inside all of them",
+        help: "",
+    },
+    Case {
+        text: r#"{"shape": "convex_polyhedron", "planes": [{"normal": [0, 0, 0], "offset": 1}], "material": "clay"}"#,
+        place: "4:42 at objects[0].planes",
+        message: "plane 0 has the normal (0, 0, 0); a plane needs a direction",
+        help: "",
+    },
+    Case {
+        text: r#"{"shape": "convex_polyhedron", "planes": [{"normal": [0, 0, 1]}], "material": "clay"}"#,
+        place: "4:43 at objects[0].planes[0]",
+        message: "the field `offset` is missing",
+        help: "expected a number",
+    },
+    Case {
+        text: r#"{"shape": "union", "of": [], "material": "clay"}"#,
+        place: "4:26 at objects[0].of",
+        message: "expected a list of 1 or more objects, found 0",
+        help: "",
+    },
+    Case {
+        text: r#"{"shape": "difference", "of": [{"shape": "sphere"}, {"shape": "square"}], "material": "clay"}"#,
+        place: "4:53 at objects[0].of[1]",
+        message: "a square has no inside, so it cannot be part of a union, intersection or difference",
+        help: "use a thin cube, or make the square an object of its own",
+    },
+    Case {
+        text: r#"{"shape": "union", "of": [{"shape": "sphere", "priority": 2}], "material": "clay"}"#,
+        place: "4:47 at objects[0].of[0].priority",
+        message: "only an object has a priority, not a part of it",
+        help: "put `priority` on the object in `objects`",
+    },
+    Case {
+        text: r#"{"shape": "sphere", "priority": 1.5, "material": "clay"}"#,
+        place: "4:33 at objects[0].priority",
+        message: "expected a whole number, found 1.5",
+        help: "",
+    },
+    Case {
+        text: r#"{"shape": "copy", "solid": "glob", "material": "clay"}"#,
+        place: "4:28 at objects[0].solid",
+        message: "unknown solid `glob`",
+        help: "did you mean `globe`?",
+    },
+    Case {
+        text: r#"{"shape": "sphere", "material": "clay", "transform": {"scale": 2}}"#,
+        place: "4:54 at objects[0].transform",
+        message: "expected a list of objects, found an object",
+        help: "",
+    },
+    Case {
+        text: r#"{"shape": "sphere", "material": "clay", "transform": [{"scale": [1, 0, 1]}]}"#,
+        place: "4:65 at objects[0].transform[0].scale",
+        message: "a scale of 0 flattens the solid, so that the transform is singular (it has no inverse)",
+        help: "",
+    },
+    Case {
+        text: r#"{"shape": "sphere", "material": "clay", "transform": [{"scal": 2}]}"#,
+        place: "4:56 at objects[0].transform[0].scal",
+        message: "unknown field `scal`",
+        help: "did you mean `scale`?",
+    },
+    Case {
+        text: r#"{"shape": "sphere", "material": "clay", "transform": [{"scale": "2"}]}"#,
+        place: "4:65 at objects[0].transform[0].scale",
+        message: r#"expected a number or a list of 3 numbers, found the string "2""#,
+        help: "",
+    },
+    Case {
+        text: r#"{"shape": "sphere", "material": "clay", "transform": [{"scale": 2, "translate": [1, 0, 0]}]}"#,
+        place: "4:55 at objects[0].transform[0]",
+        message: "`scale` and `translate` cannot stand together",
+        help: "keep one of `scale`, `rotate`, `translate`, `matrix`",
+    },
+    Case {
+        text: r#"{"shape": "sphere", "material": "clay", "transform": [{"rotate": {"axis": [0, 0, 0], "degrees": 4}}]}"#,
+        place: "4:75 at objects[0].transform[0].rotate.axis",
+        message: "the axis of a rotation must not be (0, 0, 0)",
+        help: "",
+    },
+    Case {
+        text: r#"{"shape": "sphere", "material": "clay", "transform": [{"rotate": {"axis": [0, 0, 1]}}]}"#,
+        place: "4:66 at objects[0].transform[0].rotate",
+        message: "the field `degrees` is missing",
+        help: "expected a number",
+    },
+    Case {
+        text: r#"{"shape": "sphere", "material": "clay", "transform": [{"scale": 1e200}, {"scale": 1e200}]}"#,
+        place: "4:54 at objects[0].transform",
+        message: "the transform holds a number that is not finite",
+        help: "",
+    },
+    Case {
+        text: r#"{"shape": "sphere", "material": "clay", "transform": [{"matrix": [[1, 2, 3, 0], [2, 4, 6, 0], [0, 0, 1, 0]]}]}"#,
+        place: "4:66 at objects[0].transform[0].matrix",
+        message: "the matrix is singular: its determinant is 0, so it has no inverse",
+        help: "",
+    },
+    Case {
+        text: r#"{"shape": "sphere", "material": "clay", "name": "twin"}, {"shape": "cube", "material": "clay", "name": "twin"}"#,
+        place: "4:104 at objects[1].name",
+        message: "objects[0] has the name `twin` too",
+        help: "give each object a name of its own",
+    },
+];
