@@ -40,7 +40,7 @@ pub trait Recorder {
     }
 }
 
-/// Keeps nothing, and compiles to nothing. Pictures are rendered with it.
+/// Keeps nothing, and compiles to nothing.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct NullRecorder;
 

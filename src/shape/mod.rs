@@ -1,8 +1,8 @@
 //! The generic primitives, one file each.
 //!
-//! [`for_each_shape!`](crate::for_each_shape) is the one list of them. It generates the [`Shape`] enum here, the `shape` names and parameters of the
-//! scene file with their schema, and the battery of tests that every shape has to pass. Adding a primitive means one
-//! new file and one new row.
+//! [`for_each_shape!`](crate::for_each_shape) is the one list of them. It generates the [`Shape`] enum here, the
+//! `shape` names and parameters of the scene file with their schema, and the battery of tests that every shape has to
+//! pass. Adding a primitive means one new file and one new row.
 
 #[cfg(test)]
 mod battery;

@@ -15,6 +15,9 @@ const TEXT: f64 = 11.5;
 const SMALL: f64 = 10.5;
 const MARGIN: f64 = 12.0;
 
+/// Room between the last bar's row and the axis, so that the labels below that bar stand clear of the line.
+const LAST_LABELS: f64 = 9.0;
+
 /// Slices in which an unbounded end fades out.
 const FADE_STEPS: u32 = 7;
 
@@ -126,12 +129,12 @@ impl Bars {
     }
 
     fn lists(&mut self, top: f64, heads: &[String; 3], lists: [Option<&Vec<Span>>; 3], hit: Option<(EventId, f64)>) {
-        let bottom = self.drawing.height - 34.0;
+        let bottom = self.drawing.height - 34.0 - LAST_LABELS;
         let pitch = ((bottom - top) / 3.0).min(84.0);
         let thick = (pitch * 0.34).clamp(7.0, 20.0);
         let colours = [self.palette.left, self.palette.right, self.palette.combined];
         let middles = [0.5, 1.5, 2.5].map(|rows| top + pitch * rows);
-        let base = top + pitch * 3.0;
+        let base = top + pitch * 3.0 + LAST_LABELS;
         self.time_marks(top, base, hit);
         for ((list, head), (y, colour)) in lists.iter().zip(heads).zip(middles.into_iter().zip(colours)) {
             self.head(head, y);
