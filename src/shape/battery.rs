@@ -1,66 +1,12 @@
-//! One battery of properties for all shapes. A new row in the list of shapes does not compile until it has samples here.
+//! One battery of properties for all shapes. The tests do not compile until each row in the list has its samples, which
+//! stand with the tests in the shape's own file.
 
-use super::testing::{record, solve};
+use super::testing::{Samples, record, solve};
 use super::*;
 use crate::math::DoubleDouble;
 use crate::record::{CandidateFate, Sense, What};
 use glam::{DVec2, DVec3};
 use proptest::prelude::*;
-
-/// Instances of a shape that between them show all that is special about it.
-trait Samples: Primitive + Sized {
-    fn samples() -> Vec<Self>;
-}
-
-macro_rules! without_parameters {
-    ($($shape:ident)*) => { $(impl Samples for $shape {
-        fn samples() -> Vec<Self> {
-            vec![Self::new().unwrap()]
-        }
-    })* };
-}
-
-without_parameters! { Plane Sphere Square Cylinder Cone Cube }
-
-impl Samples for TaperedCylinder {
-    fn samples() -> Vec<Self> {
-        [0.0, 0.4, 1.0, 2.5].map(|s| Self::new(s).unwrap()).to_vec()
-    }
-}
-
-impl Samples for Torus {
-    fn samples() -> Vec<Self> {
-        [0.3, 1.0, 1.6, 5.0].map(|d| Self::new(d).unwrap()).to_vec()
-    }
-}
-
-impl Samples for Superellipsoid {
-    fn samples() -> Vec<Self> {
-        [(2.0, 2.0), (0.6, 0.6), (1.0, 1.0), (4.0, 0.8), (0.7, 3.0), (8.0, 8.0)]
-            .map(|(n, m)| Self::new(n, m).unwrap())
-            .to_vec()
-    }
-}
-
-impl Samples for ConvexPolyhedron {
-    fn samples() -> Vec<Self> {
-        let plane = |x, y, z, offset| HalfSpace { normal: DVec3::new(x, y, z), offset };
-        let tetrahedron = vec![
-            plane(1.0, 1.0, 1.0, 1.0),
-            plane(-1.0, -1.0, 1.0, 1.0),
-            plane(-1.0, 1.0, -1.0, 1.0),
-            plane(1.0, -1.0, -1.0, 1.0),
-        ];
-        let wedge = vec![
-            plane(0.0, 0.0, -2.0, 0.0),
-            plane(3.0, 0.0, 4.0, 6.0),
-            plane(-3.0, 0.0, 4.0, 6.0),
-            plane(0.0, 1.0, 0.0, 1.5),
-            plane(0.0, -1.0, 0.0, 0.5),
-        ];
-        [tetrahedron, wedge].map(|planes| Self::new(planes).unwrap()).to_vec()
-    }
-}
 
 macro_rules! all_samples {
     ($($variant:ident $name:literal $about:literal { $($parameter:ident : $type:ty = $doc:literal,)* })*) => {

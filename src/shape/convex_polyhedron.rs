@@ -235,6 +235,26 @@ mod tests {
     use super::super::testing::*;
     use super::*;
 
+    impl Samples for ConvexPolyhedron {
+        fn samples() -> Vec<Self> {
+            let plane = |x, y, z, offset| HalfSpace { normal: DVec3::new(x, y, z), offset };
+            let tetrahedron = vec![
+                plane(1.0, 1.0, 1.0, 1.0),
+                plane(-1.0, -1.0, 1.0, 1.0),
+                plane(-1.0, 1.0, -1.0, 1.0),
+                plane(1.0, -1.0, -1.0, 1.0),
+            ];
+            let wedge = vec![
+                plane(0.0, 0.0, -2.0, 0.0),
+                plane(3.0, 0.0, 4.0, 6.0),
+                plane(-3.0, 0.0, 4.0, 6.0),
+                plane(0.0, 1.0, 0.0, 1.5),
+                plane(0.0, -1.0, 0.0, 0.5),
+            ];
+            [tetrahedron, wedge].map(|planes| Self::new(planes).unwrap()).to_vec()
+        }
+    }
+
     fn plane(x: f64, y: f64, z: f64, offset: f64) -> HalfSpace {
         HalfSpace { normal: DVec3::new(x, y, z), offset }
     }

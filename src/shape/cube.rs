@@ -111,6 +111,12 @@ mod tests {
     use super::*;
     use crate::record::{PlaneSense, What};
 
+    impl Samples for Cube {
+        fn samples() -> Vec<Self> {
+            vec![Self::new().unwrap()]
+        }
+    }
+
     #[test]
     fn hit_behind_and_inside() {
         expect(&Cube, [-3.0, 0.5, 0.0], [1.0, 0.0, 0.0], &[(2.0, Enter, "left"), (4.0, Leave, "right")]);

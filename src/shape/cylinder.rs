@@ -82,3 +82,35 @@ tapered! {
     /// Radius 1 at z = 0, the apex at z = 1, closed by a disc.
     Cone, 0.0
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::testing::*;
+    use super::*;
+
+    impl Samples for Cylinder {
+        fn samples() -> Vec<Self> {
+            vec![Self::new().unwrap()]
+        }
+    }
+
+    impl Samples for Cone {
+        fn samples() -> Vec<Self> {
+            vec![Self::new().unwrap()]
+        }
+    }
+
+    #[test]
+    fn halfway_up_the_cylinder_is_as_wide_as_its_base_and_the_cone_half_as_wide() {
+        let (origin, direction) = ([-3.0, 0.0, 0.5], [1.0, 0.0, 0.0]);
+        expect(&Cylinder::new().unwrap(), origin, direction, &[(2.0, Enter, "wall"), (4.0, Leave, "wall")]);
+        expect(&Cone::new().unwrap(), origin, direction, &[(2.5, Enter, "wall"), (3.5, Leave, "wall")]);
+    }
+
+    #[test]
+    fn beside_the_axis_the_cylinder_is_entered_by_its_cap_and_the_cone_by_its_wall() {
+        let (origin, direction) = ([0.25, 0.0, 3.0], [0.0, 0.0, -1.0]);
+        expect(&Cylinder::new().unwrap(), origin, direction, &[(2.0, Enter, "cap"), (3.0, Leave, "base")]);
+        expect(&Cone::new().unwrap(), origin, direction, &[(2.25, Enter, "wall"), (3.0, Leave, "base")]);
+    }
+}

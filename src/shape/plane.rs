@@ -98,6 +98,12 @@ mod tests {
     use super::super::testing::*;
     use super::*;
 
+    impl Samples for Plane {
+        fn samples() -> Vec<Self> {
+            vec![Self::new().unwrap()]
+        }
+    }
+
     #[test]
     fn a_ray_from_above_enters_and_one_from_below_leaves() {
         expect(&Plane, [5.0, 7.0, 3.0], [0.0, 1.0, -2.0], &[(1.5, Enter, "surface")]);

@@ -169,6 +169,12 @@ mod tests {
     use super::super::testing::*;
     use super::*;
 
+    impl Samples for Sphere {
+        fn samples() -> Vec<Self> {
+            vec![Self::new().unwrap()]
+        }
+    }
+
     #[test]
     fn a_ray_through_the_middle_enters_and_leaves() {
         expect(&Sphere, [3.0, 0.0, 0.0], [-1.0, 0.0, 0.0], &[(2.0, Enter, "surface"), (4.0, Leave, "surface")]);

@@ -123,6 +123,12 @@ mod tests {
     use super::*;
     use crate::record::What;
 
+    impl Samples for Square {
+        fn samples() -> Vec<Self> {
+            vec![Self::new().unwrap()]
+        }
+    }
+
     #[test]
     fn a_ray_through_the_square_touches_it() {
         expect(&Square, [0.5, -0.5, 2.0], [0.0, 0.0, -1.0], &[(2.0, Touch, "surface")]);

@@ -160,6 +160,14 @@ mod tests {
     use super::super::testing::*;
     use super::*;
 
+    impl Samples for Superellipsoid {
+        fn samples() -> Vec<Self> {
+            [(2.0, 2.0), (0.6, 0.6), (1.0, 1.0), (4.0, 0.8), (0.7, 3.0), (8.0, 8.0)]
+                .map(|(n, m)| Self::new(n, m).unwrap())
+                .to_vec()
+        }
+    }
+
     fn times(n: f64, m: f64, origin: [f64; 3], direction: [f64; 3]) -> Vec<f64> {
         let shape = Superellipsoid::new(n, m).unwrap();
         solve::<f64>(&shape, origin.into(), direction.into()).iter().map(|hit| hit.t).collect()

@@ -292,6 +292,12 @@ mod tests {
     use super::super::testing::*;
     use super::*;
 
+    impl Samples for TaperedCylinder {
+        fn samples() -> Vec<Self> {
+            [0.0, 0.4, 1.0, 2.5].map(|s| Self::new(s).unwrap()).to_vec()
+        }
+    }
+
     fn tapered(s: f64) -> TaperedCylinder {
         TaperedCylinder::new(s).unwrap()
     }

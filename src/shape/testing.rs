@@ -7,6 +7,11 @@ use glam::DVec3;
 
 pub(super) use Sense::{Enter, Leave, Touch};
 
+/// Instances of a shape that between them show all that is special about it, for the battery.
+pub(super) trait Samples: Primitive + Sized {
+    fn samples() -> Vec<Self>;
+}
+
 /// All crossings of the ray S + c t.
 pub(super) fn solve<A: Real>(shape: &impl Primitive, origin: DVec3, direction: DVec3) -> Vec<Crossing> {
     let mut crossings = Vec::new();

@@ -362,6 +362,12 @@ mod tests {
     use super::super::testing::*;
     use super::*;
 
+    impl Samples for Torus {
+        fn samples() -> Vec<Self> {
+            [0.3, 1.0, 1.6, 5.0].map(|d| Self::new(d).unwrap()).to_vec()
+        }
+    }
+
     fn torus(d: f64) -> Torus {
         Torus::new(d).unwrap()
     }
