@@ -86,22 +86,11 @@ fn is_within(rings: &[Vec<Spot>], at: Spot) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
-    use crate::view::{Stroke, Theme};
-
-    fn drawing() -> Drawing {
-        let palette = Theme::Light.palette();
-        let mut drawing = Drawing::new([100.0, 80.0], palette.ground);
-        let square = |low: f64, high: f64| vec![[low, low], [high, low], [high, high], [low, high]];
-        drawing.put(Form::Area { rings: vec![square(10.0, 60.0), square(30.0, 40.0)], fill: palette.left }, 1);
-        drawing
-            .put(Form::Line { points: vec![[0.0, 20.0], [100.0, 20.0]], stroke: Stroke::solid(palette.ink, 1.0) }, 2);
-        drawing
-    }
+    use crate::view::sample::two_marks;
 
     #[test]
     fn a_line_on_an_area_is_found_first_and_a_hole_is_not_the_area() {
-        let drawing = drawing();
+        let drawing = two_marks();
         assert_eq!(drawing.event_at([15.0, 50.0], 3.0), Some(1));
         assert_eq!(drawing.event_at([15.0, 20.0], 3.0), Some(2));
         assert_eq!(drawing.event_at([80.0, 22.0], 3.0), Some(2));

@@ -89,22 +89,11 @@ fn paint_text(fill: Option<Colour>, stroke: Option<Stroke>) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
-    use crate::view::Theme;
-
-    fn drawing() -> Drawing {
-        let palette = Theme::Light.palette();
-        let mut drawing = Drawing::new([100.0, 80.0], palette.ground);
-        let square = |low: f64, high: f64| vec![[low, low], [high, low], [high, high], [low, high]];
-        drawing.put(Form::Area { rings: vec![square(10.0, 60.0), square(30.0, 40.0)], fill: palette.left }, 1);
-        drawing
-            .put(Form::Line { points: vec![[0.0, 20.0], [100.0, 20.0]], stroke: Stroke::solid(palette.ink, 1.0) }, 2);
-        drawing
-    }
+    use crate::view::sample::two_marks;
 
     #[test]
     fn the_list_of_marks_reads_as_text() {
-        let text = drawing().to_text();
+        let text = two_marks().to_text();
         assert!(text.starts_with("drawing 100.0 × 80.0 on #ffffff\narea 10.0,10.0 60.0,10.0"), "{text}");
         assert!(text.ends_with("line 0.0,20.0 100.0,20.0 #1c1f24 1.0  event 2\n"), "{text}");
     }

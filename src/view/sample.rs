@@ -1,10 +1,11 @@
-//! A tree made up for tests: every kind of event once, with numbers that a person can check.
+//! Things made up for tests: a tree with every kind of event once, and a drawing, with numbers that a person can check.
 
 use crate::record::{
     Candidate, CandidateFate, Edge, Entry, Operator, PlaneRow, PlaneSense, RayKind, Recorder, Sense, Sign, SignSpan,
     Span, What,
 };
 use crate::trace::{RayTree, TreeRecorder};
+use crate::view::{Drawing, Form, Stroke, Theme};
 
 /// An end of an interval.
 pub fn edge(t: f64, leaf: usize, name: &str, part: &str, flipped: bool) -> Edge {
@@ -261,4 +262,14 @@ fn ray(kind: RayKind, direction: [f64; 3], depth: u32) -> What {
         weight: 0.5,
         left: Some("surface of inner".into()),
     }
+}
+
+/// An area with a hole, for event 1, and a line across it, for event 2.
+pub fn two_marks() -> Drawing {
+    let palette = Theme::Light.palette();
+    let mut drawing = Drawing::new([100.0, 80.0], palette.ground);
+    let square = |low: f64, high: f64| vec![[low, low], [high, low], [high, high], [low, high]];
+    drawing.put(Form::Area { rings: vec![square(10.0, 60.0), square(30.0, 40.0)], fill: palette.left }, 1);
+    drawing.put(Form::Line { points: vec![[0.0, 20.0], [100.0, 20.0]], stroke: Stroke::solid(palette.ink, 1.0) }, 2);
+    drawing
 }
