@@ -144,9 +144,9 @@ impl<'a> Tracer<'a> {
 pub(super) const STEPS: [&str; 6] = [
     "Build the ray through the pixel",
     "Find all intersections of the ray with objects in the scene",
-    "Identify the intersection that lies closest to and in front of the eye",
+    "Identify the closest intersection in front of the eye",
     "Compute the hit point",
-    "Find the colour of the light returning to the eye along the ray",
+    "Find the colour of the light returning to the eye",
     "Place the colour in the pixel",
 ];
 

@@ -97,7 +97,7 @@ fn label(what: &What) -> String {
         What::Medium { hidden: true, object, .. } => format!("boundary of {object}: passed as if it were not there"),
         What::Medium { before, after, .. } => format!("medium: {before} → {after}"),
         What::Limit { limit, consequence, .. } => format!("stopped by {limit}: {consequence}"),
-        What::Colour { .. } => "colour = ambient + diffuse + specular + reflected + transmitted".to_owned(),
+        What::Colour { .. } => "colour: the sum of its five components".to_owned(),
         What::Written { .. } => "the pixel as written".to_owned(),
     }
 }
