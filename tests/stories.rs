@@ -118,6 +118,21 @@ fn the_same_overlap_is_reported_under_policy_1_and_decided_under_policy_2() {
 }
 
 #[test]
+fn a_ray_that_leaves_an_overlap_reports_it_as_one_that_enters_it_does() {
+    let mut passed_through = 0;
+    for tree in telling_trees(&scene("optics/media_forbid")) {
+        for event in &tree.events {
+            // A boundary can only be hidden by another object that the ray is inside at the same place.
+            if let What::Medium { hidden: true, interpenetration, .. } = event.what {
+                assert!(interpenetration);
+                passed_through += 1;
+            }
+        }
+    }
+    assert!(passed_through > 0);
+}
+
+#[test]
 fn the_components_of_every_hit_sum_to_its_colour() {
     for embedded in rayscope::scene::embedded_scenes() {
         for tree in telling_trees(&scene(&embedded.name)) {

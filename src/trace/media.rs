@@ -55,7 +55,7 @@ impl Tracer<'_> {
         }
         let after = self.current_medium(&media_after);
         let crossing = MediaCrossing { before, after, media_after, hidden: before == after };
-        recorder.note(|| self.describe_crossing(surface, &crossing));
+        recorder.note(|| self.describe_crossing(ray, surface, &crossing));
         crossing
     }
 
@@ -82,8 +82,8 @@ impl Tracer<'_> {
         self.scene.materials[self.scene.objects[object].material].transparency > 0.0
     }
 
-    fn describe_crossing(&self, surface: &Surface, crossing: &MediaCrossing) -> Entry {
-        let overlap = crossing.media_after.overlap();
+    fn describe_crossing(&self, ray: &Ray, surface: &Surface, crossing: &MediaCrossing) -> Entry {
+        let overlap = ray.media.overlap() || crossing.media_after.overlap();
         let interpenetration = overlap && self.scene.media == MediaPolicy::Forbid;
         let decided = match self.scene.media {
             MediaPolicy::Forbid if overlap => {
