@@ -150,7 +150,7 @@ fn edges(planes: &[HalfSpace]) -> Vec<[DVec3; 2]> {
 }
 
 /// The line in which two planes meet, from its point nearest to the origin; none where they are parallel.
-fn meeting_line(first: &HalfSpace, second: &HalfSpace) -> Option<GenericRay<DoubleDouble>> {
+fn meeting_line(first: &HalfSpace, second: &HalfSpace) -> Option<GenericRay<'static, DoubleDouble>> {
     let scaled = |plane: &HalfSpace| {
         let scale = scale_to_unit(plane.normal.to_array());
         (wide(plane.normal * scale), DoubleDouble::from_f64(plane.offset * scale))
@@ -163,7 +163,7 @@ fn meeting_line(first: &HalfSpace, second: &HalfSpace) -> Option<GenericRay<Doub
     }
     let (by_first, by_second) = (cross(m, direction), cross(direction, n));
     let origin = std::array::from_fn(|k| (d * by_first[k] + e * by_second[k]) / length_squared);
-    Some(GenericRay { origin, direction, t_per_tau: 1.0 })
+    Some(GenericRay::wide(origin, direction))
 }
 
 /// Whether two edges are one, up to rounding and direction: planes given twice find an edge twice.

@@ -16,6 +16,7 @@ mod plane;
 mod planes;
 mod primitive;
 mod report;
+mod solver;
 mod sphere;
 mod square;
 mod superellipsoid;

@@ -21,7 +21,7 @@
 
 use super::{Bounds, Crossing, GenericRay, Part, Primitive, boundary, boundary::Root, planes, report};
 use crate::math::Real;
-use crate::record::{Recorder, Sense};
+use crate::record::{Certificate, Recorder, Sense};
 use glam::{DVec2, DVec3};
 
 /// The half-space z ≤ 0.
@@ -45,7 +45,9 @@ impl Primitive for Plane {
         let crosses = ray.direction[2] != A::ZERO && (tau * ray.t_per_tau).is_finite();
         if crosses {
             let sense = if ray.direction[2] > A::ZERO { Sense::Leave } else { Sense::Enter };
-            crossings.push(boundary::crossing(self, ray, Root { tau, part: 0 }, sense));
+            let error = ray.root_error([0.0, 0.0, 1.0], tau);
+            let root = Root { tau, error, part: 0 };
+            crossings.push(boundary::crossing(root, ray.t_per_tau, sense, Certificate::Certain));
         }
         let found = &crossings[begin..];
         recorder.note(|| planes::single_row(ray, "surface"));

@@ -9,7 +9,7 @@
 
 use super::{Crossing, GenericRay, Part, Primitive, boundary, boundary::Root, report};
 use crate::math::{Real, dot};
-use crate::record::{Candidate, Entry, PlaneRow, PlaneSense, Recorder, Sense, Value, What, format_number};
+use crate::record::{Candidate, Certificate, Entry, PlaneRow, PlaneSense, Recorder, Sense, Value, What, format_number};
 use glam::DVec3;
 
 /// A plane with its inside: n·p ≤ d, where n need not be unit.
@@ -71,7 +71,7 @@ pub(super) struct Clip {
 
 /// The table with its running results.
 struct Table<'a, A> {
-    ray: &'a GenericRay<A>,
+    ray: &'a GenericRay<'a, A>,
     t_in: Option<Extreme<A>>,
     t_out: Option<Extreme<A>>,
     undecided: bool,
@@ -158,6 +158,7 @@ impl<A: Real> Table<'_, A> {
     fn result(&self, hits: bool) -> Clip {
         let root = |extreme: Extreme<A>| Root {
             tau: extreme.time.to_f64(),
+            error: (extreme.known.high - extreme.known.low).to_f64(),
             part: Part::try_from(extreme.plane).unwrap_or(Part::MAX),
         };
         Clip { enter: self.t_in.map(root), leave: self.t_out.map(root), hits }
@@ -198,7 +199,7 @@ pub(super) fn crossings<A: Real, R: Recorder>(
         second.unwrap_or(Clip { enter: None, leave: None, hits: false })
     });
     if let Clip { enter: Some(enter), leave: Some(leave), hits: true } = clip {
-        boundary::append_alternating(shape, ray, &[enter, leave], Sense::Enter, crossings);
+        boundary::append_alternating(&[enter, leave], Sense::Enter, ray.t_per_tau, Certificate::Certain, crossings);
     }
     let found = &crossings[begin..];
     if R::RECORDING {

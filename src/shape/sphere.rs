@@ -11,8 +11,9 @@
 //! ```
 //! **Equation** F = x² + y² + z² − 1.
 //!
-//! **Ray equation** With t measured from the foot of the perpendicular, t₀ = −(S·c) / (c·c), and l = S + c t₀, the linear term
-//! is gone: c·c (t − t₀)² + l·l − 1 = 0. The hits lie at t₀ ± √(−C / A) with A = c·c and C = l·l − 1.
+//! **Ray equation** With t measured from the foot of the perpendicular, t₀ = −(S·c) / (c·c), and l = S + c t₀, it is
+//! A (t − t₀)² + 2 B (t − t₀) + C = 0 with A = c·c, B = c·l and C = l·l − 1. B is zero but for the rounding of t₀, so the
+//! discriminant is −A C, and B only shifts the middle of the chord.
 //!
 //! **Accuracy** Without the foot the squares of a far S cancel, and digits are lost with the square of the distance. With
 //! it, errors are those of S itself: about u |S| in l. Where these hide whether the ray touches, C is worked out
@@ -23,9 +24,11 @@
 //! **Source** Haines, Günther, Akenine-Möller, "Precision improvements for ray/sphere intersection", Ray Tracing Gems
 //! (2019), ch. 7; Pharr, Jakob, Humphreys, Physically Based Rendering, 4th ed., § 6.8.
 
-use super::{Bounds, Crossing, GenericRay, Part, Primitive, boundary, boundary::Root, outline, report};
+use super::boundary::{Root, Roots};
+use super::solver::{self, Attempt, Call, Solver};
+use super::{Bounds, Crossing, GenericRay, Part, Primitive, outline, report};
 use crate::math::{Real, dot};
-use crate::record::{Entry, Recorder, Sense, Value, What};
+use crate::record::{Candidate, Entry, Recorder, Value, What};
 use glam::{DVec2, DVec3};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -43,46 +46,89 @@ impl Sphere {
     }
 }
 
-/// The quadratic about the foot, with its roots in τ.
-struct Chord {
-    foot: f64,
-    a: f64,
-    c: f64,
-    nearest: [f64; 3],
-    roots: Option<[f64; 2]>,
+/// The quadratic about the foot, in τ.
+pub(super) struct Chord<A> {
+    foot: A,
+    /// l, the point at the foot.
+    nearest: [A; 3],
+    a: A,
+    /// B, zero but for the rounding of the foot.
+    b: A,
+    c: A,
+    /// What rounding can do to C.
+    doubt: f64,
 }
 
-/// Solves about the foot; none where rounding hides whether there are roots.
-fn chord<A: Real>(ray: &GenericRay<A>) -> Option<Chord> {
-    let foot = ray.foot();
-    let nearest = ray.at(foot);
-    let a = dot(ray.direction, ray.direction);
-    let c = dot(nearest, nearest) - A::ONE;
-    // Each coordinate of l is off by up to 4u (|S| + 1), and l·l by twice that for each of the three.
-    let doubt = 30.0 * A::UNIT_ROUNDOFF * (ray.reach() + 1.0);
-    let undecided = c.abs().to_f64() <= doubt;
-    if undecided && !A::FINEST {
-        return None;
+impl<A: Real> Chord<A> {
+    /// −B / A, where the roots have their middle, and half the way between them; none for a miss.
+    #[inline]
+    fn middle_and_half(&self) -> Option<[A; 2]> {
+        let touches = A::DOUBT_IS_ZERO && self.c.abs().to_f64() <= self.doubt;
+        (self.c < A::ZERO && !touches).then(|| [self.foot - self.b / self.a, (-self.c / self.a).sqrt()])
     }
-    let roots = (c < A::ZERO && !undecided).then(|| {
-        let half = (-c / a).sqrt();
-        [(foot - half).to_f64(), (foot + half).to_f64()]
-    });
-    Some(Chord { foot: foot.to_f64(), a: a.to_f64(), c: c.to_f64(), nearest: nearest.map(Real::to_f64), roots })
+}
+
+impl Solver for Sphere {
+    type Found<A: Real> = Chord<A>;
+
+    #[inline]
+    fn solve<A: Real>(&self, ray: &GenericRay<A>) -> Attempt<Chord<A>> {
+        let a = dot(ray.direction, ray.direction);
+        let foot = -dot(ray.origin, ray.direction) / a;
+        let nearest = ray.at(foot);
+        let b = dot(nearest, ray.direction);
+        let square = dot(nearest, nearest);
+        let c = square - A::ONE;
+        // Each coordinate of l is off by at most four roundings of what it was added up from.
+        let moved = moved(ray, nearest, foot);
+        let doubt = 8.0 * A::UNIT_ROUNDOFF * (moved + square.to_f64() + 1.0);
+        Attempt { decided: c.abs().to_f64() > doubt, found: Chord { foot, nearest, a, b, c, doubt } }
+    }
+
+    fn closest_call<A: Real>(&self, ray: &GenericRay<A>, chord: &Chord<A>) -> Call {
+        Call {
+            question: "Does the ray pass within the radius, C < 0?",
+            value: chord.c.to_f64(),
+            doubt: chord.doubt,
+            input_doubt: 2.0 * f64::UNIT_ROUNDOFF * moved(ray, chord.nearest, chord.foot),
+        }
+    }
+
+    #[inline]
+    fn roots<A: Real>(&self, ray: &GenericRay<A>, chord: &Chord<A>) -> impl AsRef<[Root]> {
+        let ends = chord.middle_and_half().map(|[middle, half]| {
+            // ∇F · c / 2 = l·c + δ c·c, and l·c is nothing but rounding.
+            let slope = (chord.a * half).to_f64();
+            [middle - half, middle + half].map(|tau| {
+                let at = ray.at(tau).map(Real::to_f64);
+                let tau = tau.to_f64();
+                Root { tau, error: ray.error_for_slope(at, slope, tau), part: 0 }
+            })
+        });
+        Roots::pair(ends)
+    }
+
+    fn working<A: Real>(&self, ray: &GenericRay<A>, chord: &Chord<A>) -> Vec<Entry> {
+        vec![working(ray, chord)]
+    }
+
+    fn rejected<A: Real>(&self, _: &GenericRay<A>, _: &Chord<A>, _: &[Crossing]) -> Vec<Candidate> {
+        Vec::new()
+    }
+}
+
+/// Σ|lᵢ| times how far lᵢ is off when S and c are off by one part in one: half of what C is off by.
+#[inline]
+fn moved<A: Real>(ray: &GenericRay<A>, nearest: [A; 3], foot: A) -> f64 {
+    let [x, y, z] = ray.sway(foot.to_f64());
+    let l = nearest.map(|x| x.abs().to_f64());
+    l[0] * x + l[1] * y + l[2] * z
 }
 
 impl Primitive for Sphere {
+    #[inline]
     fn crossings<A: Real>(&self, ray: &GenericRay<A>, recorder: &mut impl Recorder, crossings: &mut Vec<Crossing>) {
-        let begin = crossings.len();
-        let Some(chord) = chord(ray).or_else(|| chord(&ray.widen())) else { return };
-        if let Some(roots) = chord.roots {
-            let roots = roots.map(|tau| Root { tau, part: 0 });
-            boundary::append_alternating(self, ray, &roots, Sense::Enter, crossings);
-        }
-        let found = &crossings[begin..];
-        recorder.note(|| working(ray, &chord));
-        recorder.note(|| report::implicit(self, ray, found));
-        recorder.note(|| report::roots(self, ray, found, Vec::new()));
+        solver::crossings(self, ray, recorder, crossings);
     }
 
     fn normal(&self, point: DVec3, _part: Part) -> DVec3 {
@@ -129,37 +175,46 @@ pub(super) fn turn(point: DVec2) -> f64 {
 }
 
 /// The quadratic in the shared t, with its working.
-fn working<A: Real>(ray: &GenericRay<A>, chord: &Chord) -> Entry {
+fn working<A: Real>(ray: &GenericRay<A>, chord: &Chord<A>) -> Entry {
     let scale = ray.t_per_tau;
-    let (foot, a, c) = (chord.foot * scale, chord.a / scale / scale, chord.c);
-    let discriminant = -a * c;
-    let roots: Vec<_> = chord.roots.into_iter().flatten().map(|tau| tau * scale).collect();
+    let (foot, a) = (report::measured(chord.foot, scale), report::measured(chord.a, 1.0 / scale / scale));
+    let (b, c) = (report::measured(chord.b, 1.0 / scale), report::measured(chord.c, 1.0));
+    let discriminant = report::measured(chord.b * chord.b - chord.a * chord.c, 1.0 / scale / scale);
+    let roots = chord.middle_and_half().map(|[middle, half]| [middle - half, middle + half]);
+    let roots: Vec<_> = roots.into_iter().flatten().map(|tau| report::measured(tau, scale)).collect();
+    let nearest = report::measured_vector(chord.nearest);
     let bindings = [
         ("S", report::start(ray)),
         ("c", report::course(ray)),
-        ("t₀", Value::Number(foot)),
-        ("l", Value::Vector(chord.nearest)),
-        ("A", Value::Number(a)),
-        ("B", Value::Number(0.0)),
-        ("C", Value::Number(c)),
+        ("t₀", Value::Number(foot.value)),
+        ("l", Value::Vector(nearest.value)),
+        ("A", Value::Number(a.value)),
+        ("B", Value::Number(b.value)),
+        ("C", Value::Number(c.value)),
+        ("D", Value::Number(discriminant.value)),
     ];
     let mut entry = Entry::new(What::Quadratic {
         about: "the sphere x² + y² + z² = 1".to_owned(),
-        a,
-        b: 0.0,
-        c,
-        discriminant,
-        recentred_at: foot,
-        roots: roots.clone(),
+        a: a.value,
+        b: b.value,
+        c: c.value,
+        discriminant: discriminant.value,
+        recentred_at: foot.value,
+        roots: roots.iter().map(|root| root.value).collect(),
     })
     .line("t₀", "−(S·c) / (c·c)", &bindings, foot)
-    .line("l", "S + c t₀", &bindings, chord.nearest)
+    .line("l", "S + c t₀", &bindings, nearest)
     .line("A", "c·c", &bindings, a)
-    .line("B", "c·l", &bindings, 0.0)
+    .line("B", "c·l", &bindings, b)
     .line("C", "l·l − 1", &bindings, c)
-    .line("B² − A C", "B² − A C", &bindings, discriminant);
+    .line("D", "B² − A C", &bindings, discriminant);
     if let [first, second] = roots[..] {
-        entry = entry.line("t₁", "t₀ − √(−C / A)", &bindings, first).line("t₂", "t₀ + √(−C / A)", &bindings, second);
+        entry = entry.line("t₁", "t₀ + (−B − √D) / A", &bindings, first).line(
+            "t₂",
+            "t₀ + (−B + √D) / A",
+            &bindings,
+            second,
+        );
     }
     entry
 }

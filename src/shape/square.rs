@@ -24,7 +24,7 @@
 
 use super::{Bounds, Crossing, GenericRay, Part, Primitive, boundary, boundary::Root, planes, report};
 use crate::math::Real;
-use crate::record::{Candidate, Recorder, Sense, format_number};
+use crate::record::{Candidate, Certificate, Recorder, Sense, format_number};
 use glam::{DVec2, DVec3};
 
 /// The square z = 0, |x| ≤ 1, |y| ≤ 1.
@@ -64,7 +64,9 @@ impl Primitive for Square {
         let meets_plane = ray.direction[2] != A::ZERO && (tau * ray.t_per_tau).is_finite();
         let within = meets_plane && meets_within(ray).or_else(|| meets_within(&ray.widen())).unwrap_or(false);
         if within {
-            crossings.push(boundary::crossing(self, ray, Root { tau, part: 0 }, Sense::Touch));
+            let error = ray.root_error([0.0, 0.0, 1.0], tau);
+            let root = Root { tau, error, part: 0 };
+            crossings.push(boundary::crossing(root, ray.t_per_tau, Sense::Touch, Certificate::Certain));
         }
         let found = &crossings[begin..];
         recorder.note(|| planes::single_row(ray, "plane of the square"));

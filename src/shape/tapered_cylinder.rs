@@ -33,7 +33,7 @@ use super::{
     Bounds, Crossing, GenericRay, HalfSpace, Part, Primitive, boundary, boundary::Root, outline, planes, report,
 };
 use crate::math::{Quadratic, Real};
-use crate::record::{Candidate, Entry, Recorder, Sense, Value, What, format_number};
+use crate::record::{Candidate, Certificate, Entry, Recorder, Sense, Value, What, format_number};
 use glam::{DVec2, DVec3};
 
 pub(super) const WALL: Part = 0;
@@ -129,7 +129,11 @@ impl Primitive for TaperedCylinder {
         let begin = crossings.len();
         let Some(solution) = self.solve(ray).or_else(|| self.solve(&ray.widen())) else { return };
         if let Some(inside) = solution.inside {
-            boundary::append_alternating(self, ray, &inside, Sense::Enter, crossings);
+            let inside = inside.map(|root| {
+                let normal = self.normal(ray.point(A::from_f64(root.tau)), root.part).to_array();
+                Root { error: ray.root_error(normal, root.tau), ..root }
+            });
+            boundary::append_alternating(&inside, Sense::Enter, ray.t_per_tau, Certificate::Certain, crossings);
         }
         let found = &crossings[begin..];
         recorder.note(|| planes::axis_table(ray, &DISCS));

@@ -67,7 +67,7 @@ impl<A: Real> Wall<A> {
     /// The outer option is none where the order of two times is hidden by rounding; the inner one where the ray misses.
     #[expect(clippy::option_option, reason = "undecided and missed are two things")]
     pub fn clip(&self, ray: &GenericRay<A>, foot: A, [mut enter, mut leave]: [End<A>; 2]) -> Option<Option<[Root; 2]>> {
-        let root = |end: End<A>| Root { tau: end.tau.to_f64(), part: end.part };
+        let root = |end: End<A>| Root { tau: end.tau.to_f64(), error: 0.0, part: end.part };
         if self.touches && self.parallel {
             // F is the same all along the ray: it runs inside the wall, or in it, or outside.
             let inside = self.quadratic.c.to_f64() < -self.doubt;
