@@ -36,6 +36,16 @@ impl<const N: usize> Roots<N> {
     }
 }
 
+impl Roots<1> {
+    /// The only one, or none.
+    pub fn one(root: Option<Root>) -> Self {
+        match root {
+            Some(root) => Self { items: [root], count: 1 },
+            None => Self::new(),
+        }
+    }
+}
+
 impl Roots<2> {
     /// Both, or none.
     #[inline]

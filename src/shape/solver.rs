@@ -36,6 +36,17 @@ pub(super) struct Call {
 }
 
 impl Call {
+    /// Whether rounding cannot have turned the sign.
+    #[inline]
+    pub fn is_beyond_doubt(&self) -> bool {
+        self.value.abs() > self.doubt || self.doubt == 0.0
+    }
+
+    /// Whether the ray's own numbers leave the sign open.
+    fn is_undecidable(&self) -> bool {
+        self.value.abs() <= self.input_doubt && self.input_doubt > 0.0
+    }
+
     /// Of two calls the closer one.
     pub fn closer(self, other: Self) -> Self {
         let room = |call: &Self| call.value.abs() / call.input_doubt;
@@ -110,7 +121,7 @@ fn fall_back<A: Real, R: Recorder>(
 
 /// How sure an answer is that the first arithmetic could not give.
 fn verdict(call: &Call) -> Certificate {
-    if call.value.abs() <= call.input_doubt { Certificate::Undecidable } else { Certificate::Fallback }
+    if call.is_undecidable() { Certificate::Undecidable } else { Certificate::Fallback }
 }
 
 /// Appends the crossings, and tells all about them; `tiers` are the attempts, the last of which decided.
