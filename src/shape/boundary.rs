@@ -66,7 +66,9 @@ impl<const N: usize> AsRef<[Root]> for Roots<N> {
 /// Appends the crossings of a primitive, given its roots in ascending order and what the first of them does.
 ///
 /// Roots that fall on the same number in pairs bound nothing that has a length, and are left out. So far away that squares
-/// overflow nothing is known, and nothing is hit.
+/// overflow nothing is known, and nothing is hit. Near a tangent the bound on the error grows without limit, but two
+/// boundaries that were told apart do not change places: neither is off by more than half the distance to the other. A hit
+/// time too large for a number (the direction is next to nothing) becomes the largest one.
 #[inline]
 pub(super) fn append_alternating(
     roots: &[Root],
@@ -75,50 +77,29 @@ pub(super) fn append_alternating(
     certificate: Certificate,
     crossings: &mut Vec<Crossing>,
 ) {
-    if roots.iter().any(|root| root.tau.is_nan()) {
-        return;
-    }
     let start = crossings.len();
-    let mut sense = first;
+    let (mut sense, mut before) = (first, f64::NEG_INFINITY);
     for root in roots {
-        let crossing = crossing(*root, t_per_tau, sense, certificate);
-        let before = crossings.get(start..).and_then(<[Crossing]>::last);
-        if before.is_some_and(|before| before.t >= crossing.t) {
-            crossings.pop();
+        let t = (root.tau * t_per_tau).clamp(f64::MIN, f64::MAX);
+        if t > before {
+            let room = 0.5 * (t - before);
+            if let Some(last) = crossings[start..].last_mut() {
+                last.error = last.error.min(room);
+            }
+            let error = (root.error * t_per_tau).min(room);
+            crossings.push(Crossing { t, error, sense, part: root.part, certificate });
+            before = t;
+        } else if t.is_nan() {
+            crossings.truncate(start);
+            return;
         } else {
-            crossings.push(crossing);
+            crossings.pop();
+            before = crossings[start..].last().map_or(f64::NEG_INFINITY, |last| last.t);
         }
         sense = match sense {
             Sense::Enter => Sense::Leave,
             Sense::Leave => Sense::Enter,
             Sense::Touch => Sense::Touch,
         };
-    }
-    cap_errors(&mut crossings[start..]);
-}
-
-/// A root as a crossing.
-///
-/// A hit time too large for a number (the direction is next to nothing) becomes the largest one.
-#[inline]
-pub(super) fn crossing(root: Root, t_per_tau: f64, sense: Sense, certificate: Certificate) -> Crossing {
-    Crossing {
-        t: (root.tau * t_per_tau).clamp(f64::MIN, f64::MAX),
-        error: root.error * t_per_tau,
-        sense,
-        part: root.part,
-        certificate,
-    }
-}
-
-/// Near a tangent the bound grows without limit, but two boundaries that were told apart do not change places: neither
-/// is off by more than half the distance to the other.
-#[inline]
-fn cap_errors(crossings: &mut [Crossing]) {
-    for i in 1..crossings.len() {
-        let half = 0.5 * (crossings[i].t - crossings[i - 1].t);
-        for crossing in &mut crossings[i - 1..=i] {
-            crossing.error = crossing.error.min(half);
-        }
     }
 }

@@ -31,7 +31,7 @@
 
 use super::boundary::{Root, Roots};
 use super::solver::{self, Attempt, Call, Solver};
-use super::tapered_wall::Wall;
+use super::tapered_wall::{Sensitivity, Wall};
 use super::{Bounds, Crossing, GenericRay, HalfSpace, Part, Primitive, outline, plane_table, report};
 use crate::math::Real;
 use crate::record::{Candidate, Entry, Recorder, Sense, Value, What, format_number};
@@ -50,6 +50,7 @@ pub struct TaperedCylinder {
 /// What the solver found, in τ.
 pub(super) struct Solution<A> {
     wall: Wall<A>,
+    sensitivity: Sensitivity,
     /// Base and cap times; none where the ray is parallel to them.
     discs: Option<[A; 2]>,
     /// The latest entering time.
@@ -116,13 +117,13 @@ impl TaperedCylinder {
 
     /// How far the time of a hit with a part moves when S and c are off by one part in one.
     #[inline]
-    fn moved<A: Real>(ray: &GenericRay<A>, wall: &Wall<A>, tau: f64, part: Part) -> f64 {
-        if part == WALL { wall.moved(ray, tau) } else { ray.sway(tau)[2] / ray.direction[2].abs().to_f64() }
+    fn moved<A: Real>(ray: &GenericRay<A>, wall: &Sensitivity, tau: f64, part: Part) -> f64 {
+        if part == WALL { wall.moved(tau) } else { ray.sway(tau)[2] / ray.direction[2].abs().to_f64() }
     }
 
     /// A time at which a part is met, with what four roundings do to it.
     #[inline]
-    fn end<A: Real>(ray: &GenericRay<A>, wall: &Wall<A>, tau: A, part: Part) -> End<A> {
+    fn end<A: Real>(ray: &GenericRay<A>, wall: &Sensitivity, tau: A, part: Part) -> End<A> {
         let plain = tau.to_f64();
         End::new(tau, 4.0 * A::UNIT_ROUNDOFF * (Self::moved(ray, wall, plain, part) + plain.abs()), part)
     }
@@ -135,6 +136,7 @@ impl Solver for TaperedCylinder {
     fn solve<A: Real>(&self, ray: &GenericRay<A>) -> Attempt<Solution<A>> {
         let infinity = A::from_f64(f64::INFINITY);
         let wall = Wall::new(self.s, ray);
+        let sensitivity = wall.sensitivity(ray);
         let (s_z, c_z) = (ray.origin[2], ray.direction[2]);
         let (mut enter, mut leave) = (End::new(-infinity, 0.0, WALL), End::new(infinity, 0.0, WALL));
         let mut decided = wall.is_beyond_doubt();
@@ -147,30 +149,34 @@ impl Solver for TaperedCylinder {
             beside = Some(call);
         } else {
             let [base, cap] = [-s_z / c_z, (A::ONE - s_z) / c_z];
-            let (base_end, cap_end) = (Self::end(ray, &wall, base, BASE), Self::end(ray, &wall, cap, CAP));
+            let (base_end, cap_end) =
+                (Self::end(ray, &sensitivity, base, BASE), Self::end(ray, &sensitivity, cap, CAP));
             (enter, leave) = if c_z > A::ZERO { (base_end, cap_end) } else { (cap_end, base_end) };
             discs = Some([base, cap]);
         }
         let mut misses = outside;
         if wall.is_level() {
             misses |= !wall.holds_all();
-        } else if let Some([first, second]) = wall.times() {
-            enter = enter.later(Self::end(ray, &wall, first, WALL));
-            leave = leave.earlier(Self::end(ray, &wall, second, WALL));
+        } else if let Some([first, second]) = wall.times(ray) {
+            enter = enter.later(Self::end(ray, &sensitivity, first, WALL));
+            leave = leave.earlier(Self::end(ray, &sensitivity, second, WALL));
         } else {
             misses = true;
         }
         let surely = enter.high < leave.low;
         let between = if A::DOUBT_IS_ZERO { surely } else { enter.tau < leave.tau };
         decided &= misses || surely || enter.low > leave.high;
-        Attempt { found: Solution { wall, discs, enter, leave, hits: between && !misses, beside }, decided }
+        Attempt {
+            found: Solution { wall, sensitivity, discs, enter, leave, hits: between && !misses, beside },
+            decided,
+        }
     }
 
     fn closest_call<A: Real>(&self, ray: &GenericRay<A>, solution: &Solution<A>) -> Call {
-        let Solution { wall, enter, leave, beside, .. } = solution;
+        let Solution { wall, sensitivity, enter, leave, beside, .. } = solution;
         let moved = |end: &End<A>| {
             let tau = end.tau.to_f64();
-            f64::UNIT_ROUNDOFF * Self::moved(ray, wall, tau, end.part)
+            f64::UNIT_ROUNDOFF * Self::moved(ray, sensitivity, tau, end.part)
         };
         let order = Call {
             question: "Does the ray enter the last part before it leaves the first?",
@@ -178,7 +184,7 @@ impl Solver for TaperedCylinder {
             doubt: 0.5 * ((leave.high - leave.low) + (enter.high - enter.low)).to_f64(),
             input_doubt: moved(enter) + moved(leave),
         };
-        let calls = [(!wall.is_level() && wall.times().is_some()).then_some(order), *beside];
+        let calls = [(!wall.is_level() && wall.times(ray).is_some()).then_some(order), *beside];
         calls.into_iter().flatten().fold(wall.call(), Call::closer)
     }
 
@@ -186,7 +192,7 @@ impl Solver for TaperedCylinder {
     fn roots<A: Real>(&self, ray: &GenericRay<A>, solution: &Solution<A>) -> impl AsRef<[Root]> {
         let root = |end: &End<A>| {
             let tau = end.tau.to_f64();
-            let moved = Self::moved(ray, &solution.wall, tau, end.part);
+            let moved = Self::moved(ray, &solution.sensitivity, tau, end.part);
             Root { tau, error: ray.error_of_time(moved, tau), part: end.part }
         };
         Roots::pair(solution.hits.then(|| [root(&solution.enter), root(&solution.leave)]))
@@ -203,7 +209,7 @@ impl Solver for TaperedCylinder {
         let (base, cap) = if upward { (enters, leaves) } else { (leaves, enters) };
         let quadratic = &solution.wall.quadratic;
         let senses = if quadratic.a < A::ZERO { [leaves, enters] } else { [enters, leaves] };
-        let wall = quadratic.roots().into_iter().flatten().zip(senses).map(|(tau, sense)| (tau, WALL, sense));
+        let wall = solution.wall.roots(ray).into_iter().flatten().zip(senses).map(|(tau, sense)| (tau, WALL, sense));
         let discs = solution.discs.into_iter().flat_map(|[b, c]| [(b, BASE, base), (c, CAP, cap)]);
         wall.chain(discs)
             .map(|(tau, part, sense)| (tau.to_f64(), part, sense))
@@ -307,7 +313,7 @@ impl TaperedCylinder {
         let discriminant = measured(quadratic.discriminant, per_t * per_t);
         let (w, d) = (measured(wall.w, 1.0), measured(wall.d, per_t));
         let [p, q, r] = wall.minors.map(|minor| measured(minor, per_t));
-        let roots: Vec<_> = quadratic.roots().into_iter().flatten().map(|tau| measured(tau, scale)).collect();
+        let roots: Vec<_> = wall.roots(ray).into_iter().flatten().map(|tau| measured(tau, scale)).collect();
         let roots: Vec<_> = roots.into_iter().filter(|root| root.value.is_finite()).collect();
         let ([x, y, z], [c_x, c_y, c_z]) = (ray.start(), ray.course());
         let number = Value::Number;

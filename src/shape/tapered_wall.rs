@@ -94,17 +94,38 @@ impl<A: Real> Wall<A> {
         self.quadratic.c.to_f64() < -self.c_doubt
     }
 
+    /// Both times at which the line meets the double cone, ascending, after a step of Newton's method on F; infinite where
+    /// A = 0. None for a miss.
+    #[inline]
+    pub fn roots(&self, ray: &GenericRay<A>) -> Option<[A; 2]> {
+        let [first, second] = self.quadratic.roots()?;
+        // Half the slope of F at the first root is −√D, at the second √D, the other way round where A < 0.
+        let root = self.quadratic.discriminant.sqrt();
+        let rising = if self.quadratic.a < A::ZERO { -root } else { root };
+        let per_slope = A::from_f64(0.5) / rising;
+        Some([self.polished(ray, first, -per_slope), self.polished(ray, second, per_slope)])
+    }
+
+    #[inline]
+    fn polished(&self, ray: &GenericRay<A>, tau: A, per_slope: A) -> A {
+        let [x, y, _] = ray.at(tau);
+        let w = self.w + self.d * tau;
+        let step = (x * x + y * y - w * w) * per_slope;
+        // At the apex there is no slope, and at infinity no F.
+        if step.is_finite() { tau - step } else { tau }
+    }
+
     /// Where the ray goes into the part with w > 0, and where it comes out; infinite where it never does. None for a miss.
     ///
     /// A < 0: the ray is steeper than the side, and meets each nappe once. That with w > 0 lies ahead where w grows along
     /// the ray, and behind where it shrinks.
     #[inline]
-    pub fn times(&self) -> Option<[A; 2]> {
+    pub fn times(&self, ray: &GenericRay<A>) -> Option<[A; 2]> {
         let steep = self.quadratic.a < A::ZERO;
-        if !steep && self.quadratic.discriminant == A::ZERO {
+        if !steep && self.quadratic.discriminant <= A::ZERO {
             return None;
         }
-        let [first, second] = self.quadratic.roots()?;
+        let [first, second] = self.roots(ray)?;
         let infinity = A::from_f64(f64::INFINITY);
         Some(match (steep, self.d > A::ZERO) {
             (false, _) => [first, second],
@@ -113,12 +134,36 @@ impl<A: Real> Wall<A> {
         })
     }
 
-    /// How far the time of a wall hit moves when S and c are off by one part in one: δF over the slope of F, which is √D.
+    /// What bounds the errors of wall hits.
     #[inline]
-    pub fn moved(&self, ray: &GenericRay<A>, tau: f64) -> f64 {
-        let [x, y, z] = ray.sway(tau);
+    pub fn sensitivity(&self, ray: &GenericRay<A>) -> Sensitivity {
+        let steep = self.slope.abs().to_f64();
+        let sum = |[x, y, z]: [f64; 3]| x + y + steep * z;
+        Sensitivity {
+            start: sum(ray.origin_size),
+            course: sum(ray.direction_size),
+            per_slope: 1.0 / self.quadratic.discriminant.to_f64().sqrt(),
+            w: self.w.to_f64(),
+            d: self.d.to_f64(),
+        }
+    }
+}
+
+/// How the time of a wall hit moves when S and c do.
+#[derive(Clone, Copy)]
+pub(super) struct Sensitivity {
+    start: f64,
+    course: f64,
+    per_slope: f64,
+    w: f64,
+    d: f64,
+}
+
+impl Sensitivity {
+    /// How far it moves when S and c are off by one part in one: δF over the slope of F, which is √D.
+    #[inline]
+    pub fn moved(&self, tau: f64) -> f64 {
         // On the wall neither |x| nor |y| is more than w.
-        let w = (self.w.to_f64() + tau * self.d.to_f64()).abs();
-        w * (x + y + self.slope.abs().to_f64() * z) / self.quadratic.discriminant.sqrt().to_f64()
+        (self.w + tau * self.d).abs() * (self.start + tau.abs() * self.course) * self.per_slope
     }
 }
