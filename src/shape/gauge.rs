@@ -186,6 +186,11 @@ impl Exponents {
         6.0 * (1.0 + 1.0 / self.n + 1.0 / self.m)
     }
 
+    /// Whether the steps to a root are so good that the first one gets next to it.
+    pub fn is_smooth(&self) -> bool {
+        self.n == 2.0 && self.m == 2.0
+    }
+
     /// How g bends.
     pub fn bend(&self) -> Bend {
         if self.n >= 1.0 && self.m >= 1.0 {

@@ -86,14 +86,14 @@ impl Solver for Superellipsoid {
         Call {
             question: "Is the ray inside at the closest place, g < 1?",
             value: probe.log.exp_m1(),
-            doubt: probe.doubt,
+            doubt: line.doubt(&probe).log,
             input_doubt: line.input_doubt(probe.at),
         }
     }
 
     #[inline]
     fn roots<A: Real>(&self, _: &GenericRay<A>, found: &Findings<A>) -> impl AsRef<[Root]> {
-        found.roots
+        &found.roots
     }
 
     fn working<A: Real>(&self, ray: &GenericRay<A>, found: &Findings<A>) -> Vec<Entry> {

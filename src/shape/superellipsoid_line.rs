@@ -40,26 +40,29 @@ pub(super) struct Probe<A> {
     pub excess: f64,
     /// ln g.
     pub log: f64,
-    /// Bound on the error of ln g.
-    pub doubt: f64,
-    /// (ln g)′, and bound on its error.
+    /// (ln g)′.
     pub slope: f64,
-    pub slope_doubt: f64,
     /// (ln g)″.
     pub bend: f64,
-    /// In a coordinate plane that g crosses with a cusp, the exponent of the coordinate. There is no slope there.
-    pub cusp: Option<f64>,
+    /// The shares of the coordinates in g, and in its slope.
+    shares: [f64; 3],
+    along: [f64; 3],
+}
+
+/// Bounds on the errors of a probe.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Doubt {
+    /// Of ln g.
+    pub log: f64,
+    /// Of (ln g)′.
+    pub slope: f64,
 }
 
 impl<A> Probe<A> {
-    /// Whether its sign is beyond rounding.
-    pub fn is_sure(&self) -> bool {
-        self.log.abs() > self.doubt
-    }
-
     /// 1 − 1/g, rather too near to zero than too far from it.
     ///
     /// x / (1 − e⁻ˣ) = x/2 + x/2 coth x/2 ≤ 1 + x/2 + x²/12, and near zero little less.
+    #[inline]
     fn shortfall(&self) -> f64 {
         let x = self.log;
         if x.abs() < 0.3 { x / (1.0 + x * (0.5 + x * (1.0 / 12.0))) } else { 1.0 - exp(-x) }
@@ -67,12 +70,14 @@ impl<A> Probe<A> {
 
     /// How far from here the tangent of g gets to 1, in the direction in which it does. Where g is convex and above 1, or
     /// concave and below, it has no root before.
-    pub fn reach(&self) -> f64 {
-        let surely = (self.shortfall().abs() - 2.0 * self.doubt).max(0.0);
-        surely / (self.slope.abs() + self.slope_doubt)
+    #[inline]
+    pub fn reach(&self, doubt: Doubt) -> f64 {
+        let surely = (self.shortfall().abs() - 2.0 * doubt.log).max(0.0);
+        surely / (self.slope.abs() + doubt.slope)
     }
 
     /// From here to where g is 1, rising or falling, if g² were a parabola: exact for spheres and for flat faces.
+    #[inline]
     pub fn step(&self, rising: bool) -> f64 {
         let w = self.shortfall();
         // (g²)″ h² / 2 + (g²)′ h + g² = 1, divided by g².
@@ -188,12 +193,19 @@ impl<'a, A: Real> Line<'a, A> {
         self.measured(at, level, rates)
     }
 
-    /// ln g where the ray crosses the plane in which a coordinate is zero.
-    pub fn plane_probe(&self, at: A, axis: usize) -> Probe<A> {
-        let mut probe = self.probe(at);
-        probe.doubt += self.drift(axis) * probe.slope.abs();
-        probe.cusp = Some(self.exponents.of_axis(axis));
-        probe
+    /// Bounds on the errors of a probe.
+    #[inline]
+    pub fn doubt(&self, probe: &Probe<A>) -> Doubt {
+        let roundings = self.exponents.roundings();
+        let log = A::UNIT_ROUNDOFF * roundings + self.blurred(probe.along, probe.shares);
+        // Its terms have a few roundings more than ln g, and they are worked out in f64 at best.
+        let size = probe.along[0].abs() + probe.along[1].abs() + probe.along[2].abs();
+        Doubt { log, slope: size * f64::UNIT_ROUNDOFF.max(A::UNIT_ROUNDOFF) * (32.0 + 4.0 * roundings) }
+    }
+
+    /// The same for ln g where the ray crosses the plane in which a coordinate is zero.
+    pub fn doubt_in_plane(&self, probe: &Probe<A>, axis: usize) -> f64 {
+        self.doubt(probe).log + self.drift(axis) * probe.slope.abs()
     }
 
     /// How far off, in δ, the crossing of a coordinate plane is.
@@ -236,22 +248,14 @@ impl<'a, A: Real> Line<'a, A> {
         let mixing = if n == m || x + y == 0.0 { 0.0 } else { (m - n) * across * across / (x + y) };
         let bend = mixing + (n - 1.0) * (first * rates[0] + second * rates[1]) + (m - 1.0) * third * rates[2]
             - m * slope * slope;
-        let own = A::UNIT_ROUNDOFF * self.exponents.roundings();
-        let doubt = own + self.blurred([first, second, third], level.shares);
-        // Its terms have a few roundings more than ln g, whatever the arithmetic of F.
-        let slope_doubt = (first.abs() + second.abs() + third.abs())
-            * f64::UNIT_ROUNDOFF.max(A::UNIT_ROUNDOFF)
-            * (32.0 + 4.0 * self.exponents.roundings());
-        Probe { at, excess, log: level.log, doubt, slope, slope_doubt, bend, cusp: None }
+        Probe { at, excess, log: level.log, slope, bend, shares: level.shares, along: [first, second, third] }
     }
 
     /// How far ln g at δ moves when the ray's own numbers move by half a unit in their last places.
     pub fn input_doubt(&self, at: A) -> f64 {
-        let (place, rates) = self.place(at);
-        let level = self.exponents.level(place);
-        let along = std::array::from_fn(|i| level.shares[i] * rates[i]);
+        let Probe { along, shares, .. } = self.probe(at);
         // The haze of a coordinate is four roundings of what it was added up from.
-        self.blurred(along, level.shares) * f64::UNIT_ROUNDOFF / (4.0 * A::UNIT_ROUNDOFF)
+        self.blurred(along, shares) * f64::UNIT_ROUNDOFF / (4.0 * A::UNIT_ROUNDOFF)
     }
 
     /// A root, with the bound on its error; `probe` is next to it.

@@ -10,8 +10,8 @@
 //! Source: R. Horst, H. Tuy, Global Optimization, 3rd ed. (1996), ch. X (differences of convex functions).
 
 use super::superellipsoid_line::Line;
-use super::superellipsoid_root::{Bracket, Cusp, root_in};
-use super::superellipsoid_search::Search;
+use super::superellipsoid_root::{Bracket, Cusp};
+use super::superellipsoid_search::{Search, is_inside};
 use crate::math::Real;
 
 /// d = ρ − σ at one place of the ray.
@@ -84,13 +84,13 @@ impl<A: Real> Search<'_, A> {
         let (mut value, mut doubt) = (cut.value, cut.doubt);
         if value.abs() <= doubt {
             // Near the poles g keeps digits that σ loses.
-            let probe = plane.map_or_else(|| line.probe(at), |axis| line.plane_probe(at, axis));
-            (value, doubt) = (probe.log, probe.doubt);
+            let probe = line.probe(at);
+            value = probe.log;
+            doubt = plane.map_or_else(|| line.doubt(&probe).log, |axis| line.doubt_in_plane(&probe, axis));
         }
         self.note(at, value, doubt);
-        let sure = value.abs() > doubt;
-        self.is_told(sure);
-        cut.inside = value < 0.0 || A::DOUBT_IS_ZERO && !sure;
+        self.is_told(value, doubt);
+        cut.inside = is_inside::<A>(value, doubt);
         cut
     }
 
@@ -160,8 +160,7 @@ impl<A: Real> Search<'_, A> {
         let share = cusp.as_ref().map_or(share, |cusp| share.powf(1.0 / cusp.exponent));
         let way = A::from_f64(share * length);
         let start = if left.inside { left.at + way } else { right.at - way };
-        let bracket = Bracket { low: left.at, high: right.at, rising: left.inside, start, cusp };
-        self.findings.roots.push(root_in(&self.line, bracket));
+        self.root(Bracket { low: left.at, high: right.at, rising: left.inside, start, cusp });
     }
 }
 
@@ -180,9 +179,13 @@ fn cut<A: Real>(line: &Line<A>, at: A) -> Cut<A> {
     let blurred = line.blurred([terms[0], terms[1], section_slope], [rho * shares[0], rho * shares[1], sigma * steepness]);
     // 1 − |z|ᵐ is off by a few roundings of 1, whatever is left of it; near the poles the root makes much of that.
     let rest = 1.0 / (1.0 + steepness);
-    let near_pole = (rest + rounding * line.exponents.m).powf(1.0 / line.exponents.m);
-    let cancelled = if rest < 1e4 * rounding * line.exponents.m { near_pole } else { sigma * rounding / rest };
-    let doubt = rounding * (rho + sigma) + cancelled + if blurred.is_finite() { blurred } else { near_pole };
+    let off = rounding * line.exponents.m;
+    let cancelled = if rest < 1e4 * off || !blurred.is_finite() {
+        (rest + off).powf(1.0 / line.exponents.m)
+    } else {
+        sigma * rounding / rest + blurred
+    };
+    let doubt = rounding * (rho + sigma) + cancelled;
     let value = (radius - section).to_f64();
     Cut { at, radius, section, value, doubt, inside: value < 0.0, slopes: [terms[0] + terms[1], section_slope], cusp: None }
 }

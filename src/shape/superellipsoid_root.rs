@@ -33,12 +33,6 @@ pub(super) struct Cusp<A> {
 }
 
 impl<A: Real> Cusp<A> {
-    /// One, if the probe stands in one.
-    pub fn of(probe: &Probe<A>) -> Option<Self> {
-        let exponent = probe.cusp.filter(|exponent| *exponent < 1.0)?;
-        Some(Self { at: probe.at, excess: probe.excess, exponent })
-    }
-
     /// Newton's step for F as a function of dᵖ; where that goes astray, the chord's from the cusp.
     fn step(&self, probe: &Probe<A>, m: f64) -> f64 {
         let distance = (probe.at - self.at).to_f64();
@@ -66,7 +60,7 @@ pub(super) fn root_in<A: Real>(line: &Line<A>, bracket: Bracket<A>) -> Root {
     let mut at = if low < start && start < high { start } else { middle(low, high) };
     let mut last = (high - low).to_f64();
     let short = SHORT.max(A::UNIT_ROUNDOFF / 32.0);
-    let (mut exact, mut best) = (false, None);
+    let (mut exact, mut best) = (line.exponents.is_smooth(), None);
     for round in 0..MOST_STEPS {
         let tau = line.foot + at;
         let (probe, gradient) = if exact { line.probe_exactly(tau) } else { (line.probe(at), [0.0; 3]) };

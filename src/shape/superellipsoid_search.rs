@@ -90,10 +90,12 @@ impl<A: Real> Search<'_, A> {
         let Some(inside) = self.seek([low, high], start, Side::Inside) else { return };
         // Whatever was tried before, this is what proves the hit.
         self.findings.closest = None;
-        self.note(inside.at, inside.log, inside.doubt);
+        self.note(inside.at, inside.log, self.line.doubt(&inside).log);
         self.findings.stretches += 2;
-        self.root(low, inside.at, false, &inside);
-        self.root(inside.at, high, true, &inside);
+        for (low, high, rising) in [(low, inside.at, false), (inside.at, high, true)] {
+            let start = inside.at + A::from_f64(inside.step(rising));
+            self.root(Bracket { low, high, rising, start, cusp: None });
+        }
     }
 
     fn concave(&mut self, range: [f64; 2]) {
@@ -101,12 +103,14 @@ impl<A: Real> Search<'_, A> {
         let [from, to] = range.map(A::from_f64);
         let (mut low, mut before) = (from, None);
         for &(at, axis) in &cuts[..count] {
-            let probe = self.line.plane_probe(at, axis);
-            self.note(probe.at, probe.log, probe.doubt);
-            if !self.is_told(probe.is_sure()) {
+            let probe = self.line.probe(at);
+            let doubt = self.line.doubt_in_plane(&probe, axis);
+            self.note(at, probe.log, doubt);
+            if !self.is_told(probe.log, doubt) {
                 return;
             }
-            let inside = self.is_inside(&probe).then_some(probe);
+            let exponent = self.line.exponents.of_axis(axis);
+            let inside = is_inside::<A>(probe.log, doubt).then_some(Cusp { at, excess: probe.excess, exponent });
             self.piece([low, at], before, inside);
             (low, before) = (at, inside);
         }
@@ -114,18 +118,22 @@ impl<A: Real> Search<'_, A> {
     }
 
     /// The roots between two neighbouring planes, given the ends that are inside.
-    fn piece(&mut self, [low, high]: [A; 2], before: Option<Probe<A>>, after: Option<Probe<A>>) {
+    fn piece(&mut self, [low, high]: [A; 2], before: Option<Cusp<A>>, after: Option<Cusp<A>>) {
         self.findings.stretches += 1;
-        match (before, after) {
-            (None, None) => {}
-            (Some(inside), None) => self.root(low, high, true, &inside),
-            (None, Some(inside)) => self.root(low, high, false, &inside),
-            (Some(left), Some(right)) => {
-                let middle = low + (high - low) * A::from_f64(0.5);
-                if let Some(outside) = self.seek([low, high], middle, Side::Outside) {
-                    self.root(low, outside.at, true, &left);
-                    self.root(outside.at, high, false, &right);
-                }
+        let middle = low + (high - low) * A::from_f64(0.5);
+        let outside = match (before, after) {
+            (None, None) => return,
+            (Some(_), None) => high,
+            (None, Some(_)) => low,
+            (Some(_), Some(_)) => match self.seek([low, high], middle, Side::Outside) {
+                Some(probe) => probe.at,
+                None => return,
+            },
+        };
+        for (cusp, low, high, rising) in [(before, low, outside, true), (after, outside, high, false)] {
+            if cusp.is_some() {
+                let start = low + (high - low) * A::from_f64(0.5);
+                self.root(Bracket { low, high, rising, start, cusp });
             }
         }
     }
@@ -136,15 +144,16 @@ impl<A: Real> Search<'_, A> {
         for _ in 0..MOST_PLACES {
             self.findings.stretches += 1;
             let probe = self.line.probe(at);
-            self.note(probe.at, probe.log, probe.doubt);
-            if !self.is_told(probe.is_sure()) || A::DOUBT_IS_ZERO && !probe.is_sure() {
+            let doubt = self.line.doubt(&probe);
+            self.note(at, probe.log, doubt.log);
+            if !self.is_told(probe.log, doubt.log) || A::DOUBT_IS_ZERO && probe.log.abs() <= doubt.log {
                 return None;
             }
-            if self.is_inside(&probe) == (wanted == Side::Inside) {
+            if is_inside::<A>(probe.log, doubt.log) == (wanted == Side::Inside) {
                 return Some(probe);
             }
-            let reach = probe.reach();
-            if probe.slope.abs() > probe.slope_doubt {
+            let reach = probe.reach(doubt);
+            if probe.slope.abs() > doubt.slope {
                 let ahead = (probe.slope < 0.0) == (wanted == Side::Inside);
                 if ahead {
                     low = at + A::from_f64(reach);
@@ -176,26 +185,16 @@ impl<A: Real> Search<'_, A> {
         self.decided = false;
     }
 
-    /// Adds the root between two places; `inside` is the end of the two that is inside.
-    pub fn root(&mut self, low: A, high: A, rising: bool, inside: &Probe<A>) {
-        if !self.decided && !A::FINEST {
-            return;
+    /// Adds the root in a bracket.
+    pub fn root(&mut self, bracket: Bracket<A>) {
+        if self.decided || A::FINEST {
+            self.findings.roots.push(root_in(&self.line, bracket));
         }
-        let cusp = Cusp::of(inside);
-        let middle = low + (high - low) * A::from_f64(0.5);
-        let start = if inside.cusp.is_some() { middle } else { inside.at + A::from_f64(inside.step(rising)) };
-        let root = root_in(&self.line, Bracket { low, high, rising, start, cusp });
-        self.findings.roots.push(root);
-    }
-
-    /// What lies within the doubt of the finest arithmetic counts as inside: a touch from within is no hit.
-    pub fn is_inside(&self, probe: &Probe<A>) -> bool {
-        probe.excess < 0.0 || A::DOUBT_IS_ZERO && !probe.is_sure()
     }
 
     /// Whether the sign at a place is told, or has to do.
-    pub fn is_told(&mut self, is_sure: bool) -> bool {
-        if !is_sure {
+    pub fn is_told(&mut self, value: f64, doubt: f64) -> bool {
+        if value.abs() <= doubt {
             self.give_up();
         }
         self.decided || A::FINEST
@@ -209,4 +208,9 @@ impl<A: Real> Search<'_, A> {
             self.findings.closest = Some(Closest { at, margin });
         }
     }
+}
+
+/// What lies within the doubt of the finest arithmetic counts as inside: a touch from within is no hit.
+pub(super) fn is_inside<A: Real>(value: f64, doubt: f64) -> bool {
+    value < 0.0 || A::DOUBT_IS_ZERO && value <= doubt
 }
