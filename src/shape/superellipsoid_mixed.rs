@@ -35,6 +35,13 @@ struct Cut<A> {
 const MOST_STRETCHES: usize = 2000;
 
 impl<A: Real> Cut<A> {
+    /// How far Newton's step goes into the stretch, if it stays there.
+    fn newton(&self, ahead: bool, length: f64) -> Option<f64> {
+        let step = -self.value / (self.slopes[0] - self.slopes[1]);
+        let inwards = if ahead { step } else { -step };
+        (self.cusp.is_none() && 0.0 < inwards && inwards < length).then_some(inwards)
+    }
+
     /// ρ′ and σ′ towards the side on which the stretch lies.
     fn slopes_towards(&self, ahead: bool, n: f64) -> [f64; 2] {
         let away = if ahead { f64::INFINITY } else { f64::NEG_INFINITY };
@@ -156,10 +163,12 @@ impl<A: Real> Search<'_, A> {
             let excess = self.line.probe(inside.at).excess;
             Cusp { at: inside.at, excess, exponent }
         });
-        let share = inside.value.abs() / (left.value.abs() + right.value.abs());
-        let share = cusp.as_ref().map_or(share, |cusp| share.powf(1.0 / cusp.exponent));
-        let way = A::from_f64(share * length);
-        let start = if left.inside { left.at + way } else { right.at - way };
+        let start = match (left.newton(true, length), right.newton(false, length)) {
+            (Some(a), Some(b)) if a > b => right.at - A::from_f64(b),
+            (Some(a), _) => left.at + A::from_f64(a),
+            (None, Some(b)) => right.at - A::from_f64(b),
+            (None, None) => left.at + A::from_f64(0.5 * length),
+        };
         self.root(Bracket { low: left.at, high: right.at, rising: left.inside, start, cusp });
     }
 }

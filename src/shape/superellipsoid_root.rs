@@ -33,15 +33,20 @@ pub(super) struct Cusp<A> {
 }
 
 impl<A: Real> Cusp<A> {
-    /// Newton's step for F as a function of dᵖ; where that goes astray, the chord's from the cusp.
-    fn step(&self, probe: &Probe<A>, m: f64) -> f64 {
+    /// Newton's step for F as a function of dᵖ, or where that goes astray the chord's from the cusp; far enough away in
+    /// comparison with the step, that of g². With the order of its convergence.
+    fn step(&self, probe: &Probe<A>, rising: bool, m: f64) -> (f64, i32) {
         let distance = (probe.at - self.at).to_f64();
+        let usual = probe.step(rising);
+        if usual.abs() < 0.2 * distance.abs() {
+            return (usual, 3);
+        }
         // F′ = m T (ln g)′.
         let slope = m * (1.0 + probe.excess) * probe.slope;
         let newton = 1.0 - self.exponent * probe.excess / (slope * distance);
         let chord = self.excess / (self.excess - probe.excess);
         let factor = if newton > 0.0 && slope * distance > 0.0 { newton } else { chord };
-        distance * (factor.powf(1.0 / self.exponent) - 1.0)
+        (distance * (factor.powf(1.0 / self.exponent) - 1.0), 2)
     }
 }
 
@@ -69,15 +74,18 @@ pub(super) fn root_in<A: Real>(line: &Line<A>, bracket: Bracket<A>) -> Root {
         } else {
             high = at;
         }
-        let step = cusp.map_or_else(|| probe.step(rising), |cusp| cusp.step(&probe, line.exponents.m));
+        let (step, order) = match cusp {
+            Some(cusp) => cusp.step(&probe, rising, line.exponents.m),
+            None => (probe.step(rising), 3),
+        };
         let size = step.abs();
         let next = at + A::from_f64(step);
         let fits = low <= next && next <= high;
         if exact {
-            // Convergence is cubic, and next to a cusp quadratic.
-            let power = if cusp.is_some() { size / last } else { size / last * (size / last) };
+            // What the next step would be, as the last two go.
+            let expected = size * (size / last).powi(order);
             let in_noise = probe.log.abs() <= 2.0 * A::UNIT_ROUNDOFF * line.exponents.roundings();
-            let done = fits && size * power * (size / last) <= short || size <= short || in_noise;
+            let done = fits && expected <= short || size <= short || in_noise;
             let moved = if size.is_finite() && (fits || size <= NEAR * last) { tau + A::from_f64(step) } else { tau };
             best = Some(line.root(moved, &probe, gradient));
             if done {
