@@ -4,7 +4,8 @@
 //! where the last digits of its numbers are k times coarser, floor and last digit count k times, and each zone is stretched
 //! about its middle: by k where the surface is crossed, by √k where it is touched, since there the hit moves with
 //! the root of what moves the ray. Zones that overlap once stretched are one, and what the ray does within is not asked:
-//! only whether it is inside or outside behind it.
+//! only whether it is inside or outside behind it. A near miss has no zone that could be stretched: a hit that is reported
+//! there counts as invented.
 
 use super::oracle::{Case, Zone};
 

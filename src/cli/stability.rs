@@ -30,7 +30,7 @@ Solvers:
 worst_ulp is the largest error of a hit in units of the attainable floor: what half a last digit of the ray's own numbers
 can move the hit by, and half a last digit of the hit time itself. About 1 is as good as can be. f32 is judged by the same
 exact hits, with a floor that is as much coarser as its last digits are (2²⁹ times), and is not asked to tell apart what
-rounding to its numbers has merged.")]
+rounding to its numbers has merged; but a hit that it reports for a near miss is extra.")]
 pub struct Stability {
     /// Only this shape, or csg; more than one may be given
     #[arg(long, value_name = "NAME", value_parser = SHAPES.map(|(name, _)| name))]

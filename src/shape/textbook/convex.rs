@@ -2,7 +2,8 @@
 //!
 //! **Where they fail** At edges, where two hit times that are nearly the same are compared after each has been rounded in its
 //! own way: a ray that just hits is missed, or the other way round. From afar d − n·S cancels, and its error does not
-//! shrink with the cancellation. The cube's planes have no such sum, so it keeps its digits better.
+//! shrink with the cancellation. The cube's planes have no such sum, so it keeps its digits better. Of all the textbook's
+//! solvers these need a cure least: what they get wrong, half a last digit of the ray could excuse.
 //!
 //! **Source** T. L. Kay and J. T. Kajiya, "Ray tracing complex scenes", SIGGRAPH 1986, for the slabs; M. Cyrus and J. Beck,
 //! "Generalized two- and three-dimensional clipping", Computers & Graphics 3 (1978), for the planes; F. S. Hill, Computer
