@@ -14,6 +14,6 @@ pub use double_double::DoubleDouble;
 pub use polynomial::{Quartic, Separators, evaluate, root_between};
 pub use quadratic::Quadratic;
 pub use range::Range;
-pub use real::{Real, dot, scale_to_unit};
+pub use real::{Real, cross, dot, scale_to_unit};
 pub use traced::{Traced, counted};
 pub use wide_map::WideMap;

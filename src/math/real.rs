@@ -164,6 +164,11 @@ pub fn dot<A: Real>(a: [A; 3], b: [A; 3]) -> A {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
+/// The vector product.
+pub fn cross<A: Real>(a: [A; 3], b: [A; 3]) -> [A; 3] {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
 /// The power of two that brings the largest component of `v` into [1, 2), so that squares neither overflow nor vanish.
 ///
 /// Multiplying by a power of two is exact. Zero and non-finite vectors get 1.

@@ -13,6 +13,7 @@ mod cylinder;
 mod gauge;
 mod outline;
 mod plane;
+mod plane_table;
 mod planes;
 mod primitive;
 mod report;
