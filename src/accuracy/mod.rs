@@ -4,8 +4,11 @@
 mod contender;
 mod judge;
 pub mod oracle;
+mod random;
+pub mod spawned;
 mod stability;
 
 pub use contender::Contender;
 pub use judge::{Verdict, judge};
+pub use random::Random;
 pub use stability::{Row, SHAPES, stability};
