@@ -107,6 +107,28 @@ fn the_table_is_the_same_on_any_number_of_threads() {
 }
 
 #[test]
+fn a_plot_is_the_same_on_any_number_of_threads_and_says_what_it_shows() {
+    let plot = |threads: &str| {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_rayscope"));
+        command.args(["stability", "--shape", "sphere", "--plot", "distance"]).env("RAYON_NUM_THREADS", threads);
+        String::from_utf8(command.output().unwrap().stdout).unwrap()
+    };
+    let one = plot("1");
+    assert_eq!(one, plot("3"));
+    for words in ["<svg", "Sphere: error", "attainable floor", "wrong answers", "sizes", "10⁸", ">adaptive<", ">f32<"]
+    {
+        assert!(one.contains(words), "{words} in\n{one}");
+    }
+}
+
+#[test]
+fn a_plot_of_several_shapes_at_once_is_refused() {
+    let output = run(&["--shape", "csg", "--plot", "distance"]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(String::from_utf8(output.stderr).unwrap().contains("one --shape"));
+}
+
+#[test]
 fn a_shape_that_is_not_there_is_answered_with_those_that_are() {
     let output = run(&["--shape", "tapir"]);
     assert_eq!(output.status.code(), Some(2));

@@ -227,8 +227,11 @@ fn send(scene: &Scene, scale: f64, random: &mut Random) -> Option<Outcome> {
 /// A ray from up to 10⁸ sizes away into the solid's box.
 fn aimed(solid: &Solid, scale: f64, random: &mut Random, ray: &Ray) -> Ray {
     let extent = solid.extent();
-    let low = extent.low.max(DVec3::splat(-3.0 * scale));
-    let high = extent.high.min(DVec3::splat(3.0 * scale));
+    let (low, high) = if extent.is_unbounded() {
+        (DVec3::splat(-3.0 * scale), DVec3::splat(3.0 * scale))
+    } else {
+        (extent.low, extent.high)
+    };
     let target = random.within(low, high);
     let distance = scale * 10.0_f64.powf(random.between(0.5, 8.0));
     let origin = target + random.direction() * distance;
@@ -284,4 +287,40 @@ fn judged(
         counted: times(counted),
         exact: times(exact),
     }))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rays_that_do_not_know_where_they_started_are_found_out() {
+        let (mut hits, mut self_hits) = (0, 0);
+        for solid in 0..SOLIDS.len() {
+            let scene = scene(solid, 3).unwrap();
+            let tracer = Tracer::new(&scene);
+            for number in 0..200 {
+                let random = &mut Random::new(5, number);
+                let ray = aimed(&scene.objects[0].solid, 1.0, random, &Ray::camera(DVec3::ZERO, DVec3::ONE));
+                let Some(surface) = tracer.first_surface(&ray) else { continue };
+                let direction = other_direction(&ray, &surface, random);
+                let forgetful = Ray { departure: None, ..tracer.leaving(&ray, &surface, direction) };
+                let counted = tracer.boundaries_ahead(&forgetful, 0);
+                let solid = &scene.objects[0].solid;
+                let exact = solid.inside::<DoubleDouble>(forgetful.origin, direction, &mut NullRecorder).boundaries();
+                hits += 1;
+                let outcome = judged(&ray, &surface, &forgetful, &counted, &exact);
+                self_hits += u32::from(matches!(outcome, Outcome::Wrong(mishap) if mishap.self_hit));
+            }
+        }
+        // Rounding puts about every other hit point on the wrong side.
+        assert!(self_hits * 4 > hits && self_hits < hits, "{self_hits} of {hits}");
+    }
+
+    #[test]
+    fn a_ray_is_the_same_again_whatever_is_sent_beside_it() {
+        let send = |rays: Range<u64>| soak(3, rays, || false, |_| {}).unwrap().total();
+        let (first, second, both) = (send(0..500), send(500..1_000), send(0..1_000));
+        assert_eq!(first.plus(second), both);
+    }
 }

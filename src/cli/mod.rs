@@ -10,6 +10,7 @@ mod scene_argument;
 mod scenes;
 mod schema;
 mod stability;
+mod stability_plots;
 mod stats;
 mod trace;
 

@@ -1,13 +1,14 @@
-//! `rayscope stability`: how right the solvers are.
+//! `rayscope stability`: how right the solvers are, as a table, as data, or as plots.
 
 use super::failure::Failure;
 use super::output::Output;
 use super::progress::{stop_on_ctrl_c, with_bar};
-use crate::accuracy::{self, Contender, Row, SHAPES};
+use super::stability_plots::{PlotKind, Theme, Watch, drawn, write_all};
+use crate::accuracy::{self, Contender, Row, SHAPES, Subject, subject};
 use clap::{Args, ValueEnum};
 use serde::Serialize;
 use std::fmt::Write as _;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
@@ -19,6 +20,9 @@ Examples:
   rayscope stability --shape torus --shape csg         of these shapes alone
   rayscope stability --format json                     as data: {\"rows\": [{\"shape\", \"kind\", \"solver\", \"cases\",
                                                        \"missed\", \"extra\", \"worst_ulp\", …}, …]}
+  rayscope stability --shape torus --plot distance -o torus.png
+                                                       error and wrong answers from 1 to 10⁸ sizes away
+  rayscope stability --plots plots --theme dark        all plots, as SVG files in the folder plots
 
 Solvers:
   f32            the program's solver in single precision, with nothing to fall back on
@@ -36,8 +40,17 @@ pub struct Stability {
     #[arg(long, value_name = "NAME", value_parser = SHAPES.map(|(name, _)| name))]
     shape: Vec<String>,
     /// How to write the table
-    #[arg(long, value_enum, default_value_t = Format::Table)]
+    #[arg(long, value_enum, default_value_t = Format::Table, conflicts_with_all = ["plot", "plots"])]
     format: Format,
+    /// Instead of the table a plot of one shape; -o says by its ending whether as .svg or .png
+    #[arg(long, value_enum, value_name = "KIND", requires = "shape", conflicts_with = "plots")]
+    plot: Option<PlotKind>,
+    /// Instead of the table all plots of all shapes, as SVG files in this folder
+    #[arg(long, value_name = "FOLDER", conflicts_with = "output")]
+    plots: Option<PathBuf>,
+    /// Colours of plots
+    #[arg(long, value_enum, default_value_t = Theme::Light)]
+    theme: Theme,
     /// Where to write it [default: the standard output]
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
@@ -89,10 +102,32 @@ struct TableData<'a> {
 }
 
 impl Stability {
-    /// Judges and writes.
+    /// Judges or plots, and writes.
     pub fn run(&self) -> Result<(), Failure> {
+        let stopped = Arc::new(AtomicBool::new(false));
+        let stopping = Arc::clone(&stopped);
+        stop_on_ctrl_c(move || stopping.swap(true, Ordering::Relaxed));
+        let done = AtomicUsize::new(0);
+        let watch = Watch { done: &done, stopped: &stopped };
+        match (self.plot, &self.plots) {
+            (Some(kind), _) => self.write_plot(kind, &watch),
+            (None, Some(folder)) => self.write_plots(folder, &watch),
+            (None, None) => self.write_table(&watch),
+        }
+    }
+
+    fn write_table(&self, watch: &Watch) -> Result<(), Failure> {
         let output = Output::create(self.output.as_deref())?;
-        let rows = self.rows()?;
+        let total = SHAPES.iter().filter(|(shape, _)| self.wants(shape)).map(|_| TYPICAL).sum();
+        let stopped = || watch.stopped.load(Ordering::Relaxed);
+        let count = || {
+            watch.done.fetch_add(1, Ordering::Relaxed);
+        };
+        let judge = || accuracy::stability(|shape| self.wants(shape), stopped, count);
+        let rows = with_bar(total, || watch.done.load(Ordering::Relaxed), judge).map_err(Failure::refused)?;
+        if stopped() {
+            return Err(Failure::interrupted("interrupted; nothing was written"));
+        }
         let text = match self.format {
             Format::Table => table(&rows),
             Format::Json => json(&rows)?,
@@ -100,30 +135,31 @@ impl Stability {
         output.write(text.as_bytes())
     }
 
+    fn write_plot(&self, kind: PlotKind, watch: &Watch) -> Result<(), Failure> {
+        let subjects = self.subjects();
+        let [subject] = subjects.as_slice() else {
+            return Err(Failure::usage("a plot is of one primitive: give one --shape that is not csg"));
+        };
+        let as_png = self.output.as_deref().and_then(Path::extension).is_some_and(|ending| ending == "png");
+        let output = Output::create(self.output.as_deref())?;
+        let work = || drawn(kind, subject, self.theme, as_png, watch);
+        output.write(&with_bar(kind.places(), || watch.done.load(Ordering::Relaxed), work)?)
+    }
+
+    fn write_plots(&self, folder: &Path, watch: &Watch) -> Result<(), Failure> {
+        let subjects = self.subjects();
+        let places = PlotKind::ALL.iter().map(|kind| kind.places()).sum::<usize>() * subjects.len();
+        let work = || write_all(folder, &subjects, self.theme, watch);
+        with_bar(places, || watch.done.load(Ordering::Relaxed), work)
+    }
+
     fn wants(&self, shape: &str) -> bool {
         self.shape.is_empty() || self.shape.iter().any(|wanted| wanted == shape)
     }
 
-    fn rows(&self) -> Result<Vec<Row>, Failure> {
-        let stopped = Arc::new(AtomicBool::new(false));
-        let stopping = Arc::clone(&stopped);
-        stop_on_ctrl_c(move || stopping.swap(true, Ordering::Relaxed));
-        let done = AtomicUsize::new(0);
-        let total = SHAPES.iter().filter(|(shape, _)| self.wants(shape)).map(|_| TYPICAL).sum();
-        let rows = with_bar(
-            total,
-            || done.load(Ordering::Relaxed),
-            || {
-                let count = || {
-                    done.fetch_add(1, Ordering::Relaxed);
-                };
-                accuracy::stability(|shape| self.wants(shape), || stopped.load(Ordering::Relaxed), count)
-            },
-        );
-        if stopped.load(Ordering::Relaxed) {
-            return Err(Failure::interrupted("interrupted; nothing was written"));
-        }
-        rows.map_err(Failure::refused)
+    /// What can be plotted: every primitive that is asked for.
+    fn subjects(&self) -> Vec<Subject> {
+        SHAPES.iter().filter(|(shape, _)| self.wants(shape)).filter_map(|(shape, _)| subject(shape)).collect()
     }
 }
 
