@@ -29,6 +29,7 @@ mod tapered_cylinder;
 mod tapered_wall;
 #[cfg(test)]
 mod testing;
+pub mod textbook;
 mod torus;
 
 pub use convex_polyhedron::{ConvexPolyhedron, HalfSpace};

@@ -44,7 +44,7 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 /// (|x|ⁿ + |y|ⁿ)^(m/n) + |z|ᵐ ≤ 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Superellipsoid {
-    exponents: Exponents,
+    pub(super) exponents: Exponents,
 }
 
 impl Superellipsoid {

@@ -44,7 +44,7 @@ const CAP: Part = 2;
 /// Radius 1 at z = 0, radius s at z = 1, closed by discs.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TaperedCylinder {
-    s: f64,
+    pub(super) s: f64,
 }
 
 /// What the solver found, in τ.

@@ -3,6 +3,7 @@
 mod closest;
 mod departure;
 mod export;
+mod leaving;
 mod light;
 mod media;
 mod picture;
