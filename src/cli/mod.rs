@@ -11,6 +11,8 @@ mod schema;
 mod stats;
 mod trace;
 
+pub use probe::answers;
+
 use clap::{Parser, Subcommand};
 use std::process::ExitCode;
 
