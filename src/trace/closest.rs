@@ -141,6 +141,7 @@ impl Tracer<'_> {
             material: self.material(surface).name.clone(),
             t: surface.boundary.t,
             t_error: surface.boundary.error,
+            certificate: surface.boundary.certificate,
             sense: surface.sense,
             point: surface.point.to_array(),
             generic_point: generic_point.to_array(),

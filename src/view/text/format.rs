@@ -1,6 +1,6 @@
 //! Numbers, intervals and tables as text.
 
-use crate::record::{Edge, Span, Triple, format_number};
+use crate::record::{Accuracy, Edge, Span, Triple, format_number};
 
 /// A number with four significant digits, for rows and labels where room is short.
 #[must_use]
@@ -28,6 +28,16 @@ pub fn significant(x: f64, digits: i32) -> String {
         (x / 10_f64.powi(-shift)).round() * 10_f64.powi(-shift)
     };
     format_number(rounded)
+}
+
+/// How far a result may be off, behind it: `   ± 4.1·10⁻¹⁶, 0.6 digits lost`.
+pub(super) fn accuracy(accuracy: &Accuracy) -> String {
+    if accuracy.error == 0.0 {
+        return String::new();
+    }
+    let digits = format_number((accuracy.digits_lost * 10.0).round() / 10.0);
+    let lost = if digits == "0" { String::new() } else { format!(", {digits} digits lost") };
+    format!("   ± {}{lost}", significant(accuracy.error, 2))
 }
 
 /// A point, direction or colour with four significant digits each.
