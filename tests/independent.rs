@@ -18,7 +18,7 @@ use reference::{determined, doubt, rays, solids, solve};
 
 fn half_ulp(t: &Big) -> Big {
     let t = near(t).abs();
-    big(0.5 * (t.next_up() - t))
+    big(t.next_up() - t) * big(0.5)
 }
 
 /// The largest part of its stated error (and half a unit in the last place) that a hit is off, or what else is wrong.
