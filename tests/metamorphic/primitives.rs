@@ -8,7 +8,7 @@ use rayscope::record::{NullRecorder, Sense};
 use rayscope::shape::{Crossing, Cube, GenericRay, Primitive, Shape, Sphere, Superellipsoid, TaperedCylinder, Torus};
 use serde_json::json;
 
-const RAYS: usize = 150;
+const RAYS: usize = 400;
 
 fn solve<A: Real>(shape: &Shape, origin: DVec3, direction: DVec3) -> Vec<Crossing> {
     let mut crossings = Vec::new();

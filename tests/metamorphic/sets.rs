@@ -6,7 +6,7 @@ use glam::{DQuat, DVec3};
 use rayscope::csg::Solid;
 use serde_json::{Value, json};
 
-const RAYS: usize = 60;
+const RAYS: usize = 120;
 
 /// Asks both solids with rays towards the first.
 fn expect_same(left: &Value, right: &Value, random: &mut Random, rays: usize) {
@@ -56,8 +56,9 @@ fn twins(shape: &Value, random: &mut Random) -> [Value; 2] {
 #[test]
 fn a_solid_without_its_twin_that_was_turned_in_three_parts_is_nothing() {
     let mut random = Random(2);
-    for shape in shapes() {
-        for _ in 0..6 {
+    // A half-space has no end, and far out the two turns are as far apart as one likes.
+    for shape in shapes().into_iter().filter(|shape| shape["shape"] != "plane") {
+        for _ in 0..12 {
             let [one, twin] = twins(&shape, &mut random);
             let alone = compile(&one);
             expect_nothing(&compound("difference", &[&one, &twin]), &alone, &mut random, RAYS);
