@@ -144,6 +144,8 @@ pub enum What {
         tiers: Vec<Tier>,
         /// How far the deciding number moves when the ray's own numbers move by half a unit in their last places.
         input_doubt: f64,
+        /// The hit time near which it hangs; none where it is about the whole ray.
+        near: Option<f64>,
         /// How surely the answer is known.
         certificate: Certificate,
     },

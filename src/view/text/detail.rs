@@ -162,7 +162,7 @@ fn search_lines(what: &What) -> Option<Vec<DetailLine>> {
             pair("undecided to the last bit", undecided.to_string()),
             pair("roots", number_list(roots)),
         ],
-        What::Decision { question, tiers, input_doubt, certificate } => vec![
+        What::Decision { question, tiers, input_doubt, certificate, .. } => vec![
             pair("question", question.clone()),
             tier_table(tiers),
             pair("last places of the ray's numbers", format!("move it by {}", significant(*input_doubt, 2))),

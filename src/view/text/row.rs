@@ -40,7 +40,7 @@ fn icon(what: &What) -> &'static str {
         What::Quartic { .. } => "⁴",
         What::Search { .. } => "≈",
         What::Decision { certificate: Certificate::Undecidable, .. } => "?",
-        What::Decision { .. } => "⚖",
+        What::Decision { .. } => "±",
         What::Implicit { .. } => "ƒ",
         What::Roots { .. } => "√",
         What::Combine { operator, .. } => operator.sign(),
