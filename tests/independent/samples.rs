@@ -5,8 +5,8 @@ use super::big::{Big, Line, big, near};
 use super::exact::Exact;
 use super::sturm::root_between;
 
-/// Samples of a piece. The smoothest features that count are found between fewer; more would only take longer.
-const SAMPLES: u32 = 96;
+/// Samples of a piece. Fewer would step over what is narrow in shapes of mixed exponents; more would take longer.
+const SAMPLES: u32 = 300;
 
 /// Values further from zero than this have the sign that they have in `f64`.
 const SURE: f64 = 1e-6;
@@ -83,27 +83,47 @@ impl<'a> Search<'a> {
         if rough.abs() > SURE { rough < 0.0 } else { self.is_exactly_negative(t) }
     }
 
-    /// The samples of a piece, its end left out, with the turning points near zero.
+    /// The beginning of a piece, the samples on either side of which the sign is in question, and the turning points near
+    /// zero.
     fn piece(&self, low: &Big, high: &Big) -> Vec<Big> {
-        let length = high - low;
+        let (start, length) = (near(low), near(&(high - low)));
         // Closer together at the ends, where exponents below 1 bend most.
         let place = |k: u32| {
             let share = f64::from(k) / f64::from(SAMPLES);
-            low + &length * big(share * share * (3.0 - 2.0 * share))
+            start + length * (share * share * (3.0 - 2.0 * share))
         };
-        let times: Vec<Big> = (0..=SAMPLES).map(place).collect();
-        let values: Vec<f64> = times.iter().map(|t| self.rough(near(t))).collect();
-        let mut all = Vec::with_capacity(times.len());
-        for (k, time) in times.iter().enumerate().take(times.len() - 1) {
-            all.push(time.clone());
-            let (before, after) = (k.saturating_sub(1), k + 1);
-            let nearest_zero = |other: usize| values[k].abs() <= values[other].abs();
-            if nearest_zero(before) && nearest_zero(after) && values[k] * values[after] > 0.0 {
-                all.extend(self.turning_point(&times[before], &times[after], values[k] > 0.0));
+        let times = self.refined((0..=SAMPLES).map(place).collect());
+        let values: Vec<f64> = times.iter().map(|t| self.rough(*t)).collect();
+        let exact = |k: usize| if k == 0 { low.clone() } else { big(times[k]) };
+        let last = times.len() - 1;
+        let mut all = vec![low.clone()];
+        for k in 0..=last {
+            let (before, after) = (k.saturating_sub(1), last.min(k + 1));
+            let turns = |other: usize| values[k].abs() <= values[other].abs() && values[k] * values[other] > 0.0;
+            if turns(before) && turns(after) {
+                all.extend(self.turning_point(&exact(before), &exact(after), values[k] > 0.0));
+            }
+            if values[k] * values[after] <= 0.0 || values[k].abs() < SURE {
+                all.extend([exact(before), exact(k), exact(after)]);
             }
         }
+        all.retain(|t| low <= t && t < high);
         all.sort();
+        all.dedup();
         all
+    }
+
+    /// More samples where the sign changes: what is in question once may be so three times.
+    fn refined(&self, mut times: Vec<f64>) -> Vec<f64> {
+        let negative: Vec<bool> = times.iter().map(|t| self.rough(*t) < 0.0).collect();
+        let last = times.len() - 1;
+        for k in (0..last).filter(|&k| negative[k] != negative[k + 1]) {
+            let (from, to) = (times[k.saturating_sub(1)], times[last.min(k + 2)]);
+            times.extend((1..64).map(|step| from + (to - from) * f64::from(step) / 64.0));
+        }
+        times.sort_by(f64::total_cmp);
+        times.dedup();
+        times
     }
 
     /// The least value between two times (the greatest of a negative one), by the golden section, if it may matter.
