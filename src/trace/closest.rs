@@ -66,6 +66,7 @@ impl Tracer<'_> {
         for (index, object) in self.scene.objects.iter().enumerate() {
             let list = intersect(index, object, ray, recorder);
             let ahead = ray.ahead(index, object, &list);
+            ahead.report(object, recorder);
             if !list.is_empty() || !ahead.boundaries.is_empty() {
                 found.push(Found { object: index, list, ahead });
             }

@@ -6,13 +6,15 @@
 //! all that comes after it counts, however near: a shell 10⁻⁵ thick keeps its far side.
 //!
 //! A ray that leaves at a grazing angle may, by rounding, start beside the surface, and its line may miss the boundary
-//! altogether. Then the true way between the boundary and its neighbour is shorter than rounding: where the list of
-//! boundaries says that the ray is on the wrong side, it is turned back at once, at t = 0. So what a ray is inside of always
-//! follows the boundaries that it was seen to cross.
+//! altogether. Where the list of boundaries says that the ray is on the wrong side, the object is asked once more, from
+//! a start that is moved to the right side by the bound on its own error. Where even that does not help, the way between
+//! the boundary and its neighbour is shorter than rounding, and the ray is turned back at once, at t = 0. So what a ray is
+//! inside of always follows the boundaries that it was seen to cross.
 
 use super::closest::Surface;
 use crate::csg::{Boundary, IntervalList, Solid};
-use crate::record::Sense;
+use crate::record::{Entry, Recorder, Sense, What};
+use crate::scene::Object;
 use glam::DVec3;
 
 /// The boundary that a spawned ray started on.
@@ -24,6 +26,8 @@ pub struct Departure {
     boundary: Boundary,
     /// What crossing that boundary at t = 0 does to the new ray's line.
     sense: Sense,
+    /// The outward unit normal there.
+    normal: DVec3,
     /// Bound on how far the start lies from the surface.
     blur: f64,
 }
@@ -37,6 +41,8 @@ pub struct Ahead {
     pub boundaries: Vec<(Boundary, Sense)>,
     /// Whether the ray is inside the object for good behind the last of them.
     pub endless: bool,
+    /// How far the start had to be moved to the right side of the surface, if it had to be.
+    pub moved: Option<f64>,
 }
 
 /// Roundings in a hit point's coordinates: the product, the sum, and the inverse transform on the way back.
@@ -53,12 +59,32 @@ impl Departure {
         };
         let blur = surface.boundary.error * surface.n_geometric.dot(incoming).abs()
             + POINT_ROUNDINGS * surface.n_geometric.abs().dot(surface.point.abs());
-        Self { object: surface.object, boundary: surface.boundary, sense, blur }
+        let (boundary, normal) = (surface.boundary, surface.n_geometric);
+        Self { object: surface.object, boundary, sense, normal, blur }
     }
 
-    /// What lies ahead of the ray in the object that it started on, given all its boundaries along the ray.
+    /// What lies ahead of the ray in the object that it started on; `list_from` gives all boundaries from an origin.
     #[must_use]
-    pub fn ahead(&self, solid: &Solid, [origin, direction]: [DVec3; 2], list: &IntervalList) -> Ahead {
+    pub fn ahead(
+        &self,
+        solid: &Solid,
+        [origin, direction]: [DVec3; 2],
+        list: &IntervalList,
+        list_from: impl FnOnce(DVec3) -> IntervalList,
+    ) -> Ahead {
+        let first = self.behind_start(solid, [origin, direction], list);
+        if self.agrees(&first) {
+            return first;
+        }
+        let by = 2.0 * self.blur;
+        let start = if self.sense == Sense::Leave { origin + self.normal * by } else { origin - self.normal * by };
+        let list = list_from(start);
+        let second = Ahead { moved: Some(by), ..self.behind_start(solid, [start, direction], &list) };
+        if self.agrees(&second) { second } else { self.turned_back(second) }
+    }
+
+    /// The boundaries behind the one that the ray started on; where that is not among them, those behind t = 0.
+    fn behind_start(&self, solid: &Solid, [origin, direction]: [DVec3; 2], list: &IntervalList) -> Ahead {
         let is_start = |boundary: &Boundary| {
             let normal = solid.normal(boundary, origin + direction * boundary.t);
             let slope = normal.dot(direction).abs();
@@ -68,19 +94,23 @@ impl Departure {
         let start = (0..all.len())
             .filter(|&k| all[k].1 == self.sense && is_start(&all[k].0))
             .min_by(|&a, &b| all[a].0.t.abs().total_cmp(&all[b].0.t.abs()));
-        let endless = is_endless(list);
-        let Some(start) = start else { return self.turned_back(Ahead::of(list)) };
-        Ahead { departed: Some(all[start].0), boundaries: all[start + 1..].to_vec(), endless }
+        match start {
+            Some(start) => {
+                let (departed, boundaries) = (Some(all[start].0), all[start + 1..].to_vec());
+                Ahead { departed, boundaries, endless: is_endless(list), moved: None }
+            }
+            None => Ahead::of(list),
+        }
+    }
+
+    /// Whether the boundaries ahead say that the ray is on the side to which it left.
+    fn agrees(&self, ahead: &Ahead) -> bool {
+        self.sense == Sense::Touch || ahead.starts_inside() == (self.sense == Sense::Enter)
     }
 
     /// Puts a ray right that rounding has set down on the wrong side of the boundary.
     fn turned_back(&self, mut ahead: Ahead) -> Ahead {
-        let inside = ahead.boundaries.first().map_or(ahead.endless, |(_, sense)| *sense == Sense::Leave);
-        let back = match self.sense {
-            Sense::Enter if !inside => Sense::Leave,
-            Sense::Leave if inside => Sense::Enter,
-            _ => return ahead,
-        };
+        let back = if self.sense == Sense::Enter { Sense::Leave } else { Sense::Enter };
         ahead.boundaries.insert(0, (Boundary { t: 0.0, ..self.boundary }, back));
         ahead
     }
@@ -91,7 +121,19 @@ impl Ahead {
     #[must_use]
     pub fn of(list: &IntervalList) -> Self {
         let boundaries = list.boundaries().into_iter().filter(|(boundary, _)| boundary.t > 0.0).collect();
-        Self { departed: None, boundaries, endless: is_endless(list) }
+        Self { departed: None, boundaries, endless: is_endless(list), moved: None }
+    }
+
+    /// Whether the ray is inside the object where it starts.
+    fn starts_inside(&self) -> bool {
+        self.boundaries.first().map_or(self.endless, |(_, sense)| *sense == Sense::Leave)
+    }
+
+    /// Tells of a start that had to be moved.
+    pub(super) fn report(&self, object: &Object, recorder: &mut impl Recorder) {
+        if let Some(by) = self.moved {
+            recorder.note(|| Entry::new(What::Moved { object: object.name.clone(), by }));
+        }
     }
 
     /// Whether a boundary counts.
@@ -102,11 +144,13 @@ impl Ahead {
 
     /// Where the ray goes through the object before it comes to `limit`: a hit time and a leaf for each passage.
     pub fn passages(&self, limit: f64) -> impl Iterator<Item = (f64, usize)> {
-        let starts_inside = self.boundaries.first().map_or(self.endless, |(_, sense)| *sense == Sense::Leave);
         let first = self.boundaries.first().map_or((0.0, 0), |(boundary, _)| (boundary.t, boundary.leaf));
         let entered =
             self.boundaries.iter().filter(move |(boundary, sense)| *sense != Sense::Leave && boundary.t < limit);
-        starts_inside.then_some(first).into_iter().chain(entered.map(|(boundary, _)| (boundary.t, boundary.leaf)))
+        self.starts_inside()
+            .then_some(first)
+            .into_iter()
+            .chain(entered.map(|(boundary, _)| (boundary.t, boundary.leaf)))
     }
 }
 

@@ -117,6 +117,7 @@ impl Tracer<'_> {
         for (index, object) in self.scene.objects.iter().enumerate() {
             let list = intersect(index, object, &shadow, recorder);
             let ahead = shadow.ahead(index, object, &list);
+            ahead.report(object, recorder);
             share *= self.passed(object, &ahead, way.limit, recorder);
             if share == 0.0 {
                 break;

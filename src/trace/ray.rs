@@ -4,7 +4,7 @@ use super::closest::Surface;
 use super::departure::{Ahead, Departure};
 use crate::csg::IntervalList;
 use crate::optics::MediaStack;
-use crate::record::{Counter, Entry, RayKind, Recorder, What};
+use crate::record::{Counter, Entry, NullRecorder, RayKind, Recorder, What};
 use crate::scene::{Object, Rgb, Scene};
 use glam::DVec3;
 
@@ -41,7 +41,8 @@ impl Ray {
     pub(super) fn ahead(&self, index: usize, object: &Object, list: &IntervalList) -> Ahead {
         match self.departure {
             Some(departure) if departure.object == index => {
-                departure.ahead(&object.solid, [self.origin, self.direction], list)
+                let list_from = |origin| object.solid.inside::<f64>(origin, self.direction, &mut NullRecorder);
+                departure.ahead(&object.solid, [self.origin, self.direction], list, list_from)
             }
             _ => Ahead::of(list),
         }
