@@ -185,7 +185,8 @@ fn cut<A: Real>(line: &Line<A>, at: A) -> Cut<A> {
     let limit = if line.exponents.m > 1.0 { -f64::INFINITY * rates[2].signum() } else { 0.0 };
     let section_slope = if poles { limit } else { -sigma * steepness * rates[2] };
     let rounding = A::UNIT_ROUNDOFF * line.exponents.roundings();
-    let blurred = line.blurred([terms[0], terms[1], section_slope], [rho * shares[0], rho * shares[1], sigma * steepness]);
+    let blurred =
+        line.blurred([terms[0], terms[1], section_slope], [rho * shares[0], rho * shares[1], sigma * steepness]);
     // 1 − |z|ᵐ is off by a few roundings of 1, whatever is left of it; near the poles the root makes much of that.
     let rest = 1.0 / (1.0 + steepness);
     let off = rounding * line.exponents.m;
@@ -196,5 +197,14 @@ fn cut<A: Real>(line: &Line<A>, at: A) -> Cut<A> {
     };
     let doubt = rounding * (rho + sigma) + cancelled;
     let value = (radius - section).to_f64();
-    Cut { at, radius, section, value, doubt, inside: value < 0.0, slopes: [terms[0] + terms[1], section_slope], cusp: None }
+    Cut {
+        at,
+        radius,
+        section,
+        value,
+        doubt,
+        inside: value < 0.0,
+        slopes: [terms[0] + terms[1], section_slope],
+        cusp: None,
+    }
 }
