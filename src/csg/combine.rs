@@ -111,10 +111,11 @@ fn responsible(operator: Operator, group: &[Toggle], before: [bool; 2], after: [
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::record::Certificate;
     use proptest::prelude::*;
 
     fn boundary(t: f64, leaf: usize) -> Boundary {
-        Boundary { t, error: 0.0, leaf, part: 0, flipped: false }
+        Boundary { t, error: 0.0, leaf, part: 0, flipped: false, certificate: Certificate::Certain }
     }
 
     fn list(leaf: usize, spans: &[(f64, f64)]) -> IntervalList {

@@ -1,6 +1,6 @@
 //! The inside set of a ray: disjoint intervals, each end knowing the surface that it lies on.
 
-use crate::record::Sense;
+use crate::record::{Certificate, Sense};
 use crate::shape::Part;
 
 /// A place where a ray crosses the boundary of a solid.
@@ -16,6 +16,8 @@ pub struct Boundary {
     pub part: Part,
     /// Whether the leaf is subtracted, so that its normal points the other way.
     pub flipped: bool,
+    /// How surely it is known to exist.
+    pub certificate: Certificate,
 }
 
 /// A stretch of the ray inside the solid; a missing end is unbounded.

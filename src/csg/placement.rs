@@ -1,6 +1,6 @@
 //! Where a primitive stands in the world: an affine map and its inverse.
 
-use crate::math::Real;
+use crate::math::{Real, WideMap};
 use crate::shape::GenericRay;
 use glam::{DAffine3, DMat3, DVec3};
 
@@ -13,8 +13,10 @@ pub struct Placement {
     pub generic_from_world: DAffine3,
     /// The inverse transpose: takes generic normals to world normals.
     normals: DMat3,
-    /// Largest ratio of the sizes of numbers that cancel in the inverse transform, for error bounds.
-    magnitude: DMat3,
+    /// World to generic with 32 digits, for solvers that cannot tell with 16.
+    wide_generic_from_world: WideMap,
+    /// The sizes of the inverse's numbers, for error bounds: what cancels in the inverse transform.
+    sizes: DAffine3,
 }
 
 impl Placement {
@@ -23,7 +25,8 @@ impl Placement {
         world_from_generic: DAffine3::IDENTITY,
         generic_from_world: DAffine3::IDENTITY,
         normals: DMat3::IDENTITY,
-        magnitude: DMat3::IDENTITY,
+        wide_generic_from_world: WideMap::IDENTITY,
+        sizes: DAffine3::IDENTITY,
     };
 
     /// Places a primitive by `world_from_generic`.
@@ -34,7 +37,8 @@ impl Placement {
         if !world_from_generic.is_finite() {
             return Err("the transform holds a number that is not finite".to_owned());
         }
-        let generic_from_world = world_from_generic.inverse();
+        let wide_generic_from_world = WideMap::inverse_of(rows(&world_from_generic));
+        let generic_from_world = affine(wide_generic_from_world.to_f64());
         let determinant = world_from_generic.matrix3.determinant();
         if determinant == 0.0 || !generic_from_world.is_finite() {
             return Err(format!("the transform is singular (its determinant is {determinant}), so it has no inverse"));
@@ -43,16 +47,23 @@ impl Placement {
             world_from_generic,
             generic_from_world,
             normals: generic_from_world.matrix3.transpose(),
-            magnitude: generic_from_world.matrix3.abs(),
+            wide_generic_from_world,
+            sizes: DAffine3 {
+                matrix3: generic_from_world.matrix3.abs(),
+                translation: generic_from_world.translation.abs(),
+            },
         })
     }
 
     /// The world ray (`origin`, `direction`) in generic coordinates; t is shared because c is not normalised.
     #[must_use]
-    pub fn generic_ray<A: Real>(&self, origin: DVec3, direction: DVec3) -> GenericRay<A> {
-        GenericRay::new(
-            self.generic_from_world.transform_point3(origin),
-            self.generic_from_world.transform_vector3(direction),
+    pub fn generic_ray<A: Real>(&self, origin: DVec3, direction: DVec3) -> GenericRay<'_, A> {
+        let inverse = &self.generic_from_world;
+        GenericRay::mapped(
+            [origin, direction],
+            [inverse.transform_point3(origin), inverse.transform_vector3(direction)],
+            [self.sizes.transform_point3(origin.abs()), self.sizes.transform_vector3(direction.abs())],
+            &self.wide_generic_from_world,
         )
     }
 
@@ -62,18 +73,23 @@ impl Placement {
         unit(self.normals * unit(generic_normal))
     }
 
-    /// How far rounding can move a world point along each generic axis, in roundings of the point's coordinates.
-    #[must_use]
-    pub fn spread(&self, world_point: DVec3) -> DVec3 {
-        self.magnitude * world_point.abs() + self.generic_from_world.translation.abs()
-    }
-
     /// The inverse as three rows of four, as it is shown.
     #[must_use]
     pub fn inverse_rows(&self) -> [[f64; 4]; 3] {
-        let (m, t) = (self.generic_from_world.matrix3, self.generic_from_world.translation);
-        std::array::from_fn(|row| [m.col(0)[row], m.col(1)[row], m.col(2)[row], t[row]])
+        rows(&self.generic_from_world)
     }
+}
+
+/// Three rows of four.
+fn rows(map: &DAffine3) -> [[f64; 4]; 3] {
+    let (m, t) = (map.matrix3, map.translation);
+    std::array::from_fn(|row| [m.col(0)[row], m.col(1)[row], m.col(2)[row], t[row]])
+}
+
+/// The map with these rows.
+fn affine([x, y, z]: [[f64; 4]; 3]) -> DAffine3 {
+    let column = |k: usize| DVec3::new(x[k], y[k], z[k]);
+    DAffine3 { matrix3: DMat3::from_cols(column(0), column(1), column(2)), translation: column(3) }
 }
 
 /// Normalises without overflow or underflow.

@@ -209,38 +209,7 @@ impl Query<'_> {
             let everything = Interval { enter: None, leave: None };
             return IntervalList { intervals: vec![everything], touches: Vec::new() };
         }
-        self.paired(index, leaf, &crossings)
-    }
-
-    /// Crossings in order make intervals; a leading `Leave` or trailing `Enter` makes an unbounded one.
-    fn paired(&self, index: usize, leaf: &Leaf, crossings: &[Crossing]) -> IntervalList {
-        let mut list = IntervalList::default();
-        let mut enter = None;
-        for crossing in crossings {
-            let boundary = self.boundary(index, leaf, crossing);
-            match crossing.sense {
-                Sense::Enter => enter = Some(boundary),
-                Sense::Leave => list.intervals.push(Interval { enter: enter.take(), leave: Some(boundary) }),
-                Sense::Touch => list.touches.push(boundary),
-            }
-        }
-        if enter.is_some() {
-            list.intervals.push(Interval { enter, leave: None });
-        }
-        list.intervals.iter_mut().for_each(limit_errors);
-        list
-    }
-
-    /// A crossing with the error that the inverse transform adds to the solver's.
-    fn boundary(&self, index: usize, leaf: &Leaf, crossing: &Crossing) -> Boundary {
-        let placement = &leaf.placement;
-        let world_point = self.origin + self.direction * crossing.t;
-        let normal = leaf.shape.normal(placement.generic_from_world.transform_point3(world_point), crossing.part);
-        let spread = placement.spread(self.origin) + placement.spread(self.direction * crossing.t);
-        let slope = normal.dot(placement.generic_from_world.transform_vector3(self.direction)).abs();
-        let moved = 2.0 * f64::EPSILON * normal.abs().dot(spread) / slope;
-        let error = if moved.is_finite() { crossing.error + moved } else { crossing.error };
-        Boundary { t: crossing.t, error, leaf: index, part: crossing.part, flipped: false }
+        paired(index, &crossings)
     }
 
     fn meets(&self, name: &str, extent: &Extent, recorder: &mut impl Recorder) -> bool {
@@ -278,11 +247,20 @@ fn early_out(operator: Operator, left: &IntervalList, right: &IntervalList) -> O
     }
 }
 
-/// Keeps the two ends of an interval apart: near a tangent the first-order error bound grows past the chord itself.
-fn limit_errors(interval: &mut Interval) {
-    if let (Some(enter), Some(leave)) = (&mut interval.enter, &mut interval.leave) {
-        let half = 0.5 * (leave.t - enter.t);
-        enter.error = enter.error.min(half);
-        leave.error = leave.error.min(half);
+/// Crossings in order make intervals; a leading `Leave` or trailing `Enter` makes an unbounded one.
+fn paired(leaf: usize, crossings: &[Crossing]) -> IntervalList {
+    let mut list = IntervalList::default();
+    let mut enter = None;
+    for &Crossing { t, error, sense, part, certificate } in crossings {
+        let boundary = Boundary { t, error, leaf, part, flipped: false, certificate };
+        match sense {
+            Sense::Enter => enter = Some(boundary),
+            Sense::Leave => list.intervals.push(Interval { enter: enter.take(), leave: Some(boundary) }),
+            Sense::Touch => list.touches.push(boundary),
+        }
     }
+    if enter.is_some() {
+        list.intervals.push(Interval { enter, leave: None });
+    }
+    list
 }

@@ -1,4 +1,7 @@
-//! The arithmetic that a solver is written in, as a type: `f32`, `f64` or [`DoubleDouble`](super::DoubleDouble).
+//! The arithmetic that a solver is written in, as a type.
+//!
+//! `f32`, `f64` and [`DoubleDouble`](super::DoubleDouble) hold numbers; [`Traced`](super::Traced) holds a number of one of
+//! these with a running bound on its error; [`Alone`](super::Alone) is one of these that never turns to another.
 
 use super::DoubleDouble;
 use std::fmt::Debug;
@@ -18,8 +21,15 @@ pub trait Real:
 {
     /// Unit roundoff u: the largest relative error of one rounding, as an `f64`.
     const UNIT_ROUNDOFF: f64;
+    /// Its name, as it is shown.
+    const NAME: &'static str;
     /// Whether there is no finer arithmetic to turn to when a question cannot be decided in this one.
     const FINEST: bool = Self::UNIT_ROUNDOFF <= DoubleDouble::UNIT_ROUNDOFF;
+    /// Whether what lies within the doubt of this arithmetic is as good as zero: only where doubt is far below what the
+    /// inputs themselves leave open.
+    const DOUBT_IS_ZERO: bool = Self::UNIT_ROUNDOFF <= DoubleDouble::UNIT_ROUNDOFF;
+    /// Operations of `f64` that one operation takes, as an average of sums and products.
+    const F64_OPERATIONS: u64 = 1;
     /// Zero.
     const ZERO: Self;
     /// One.
@@ -29,8 +39,14 @@ pub trait Real:
     fn from_f64(x: f64) -> Self;
     /// The nearest `f64`.
     fn to_f64(self) -> f64;
+    /// Bound on the error of the number, for arithmetics that keep one.
+    fn error(self) -> Option<f64> {
+        None
+    }
     /// The same number with more digits.
     fn widen(self) -> DoubleDouble;
+    /// The nearest number of this type to one with more digits.
+    fn narrow(wide: DoubleDouble) -> Self;
     /// The square root; NaN for negative numbers.
     #[must_use]
     fn sqrt(self) -> Self;
@@ -63,6 +79,7 @@ pub trait Real:
 
 impl Real for f64 {
     const UNIT_ROUNDOFF: f64 = f64::EPSILON / 2.0;
+    const NAME: &'static str = "f64";
     const ZERO: Self = 0.0;
     const ONE: Self = 1.0;
 
@@ -76,6 +93,10 @@ impl Real for f64 {
 
     fn widen(self) -> DoubleDouble {
         DoubleDouble::from_f64(self)
+    }
+
+    fn narrow(wide: DoubleDouble) -> Self {
+        wide.to_f64()
     }
 
     fn sqrt(self) -> Self {
@@ -99,6 +120,7 @@ impl Real for f64 {
 
 impl Real for f32 {
     const UNIT_ROUNDOFF: f64 = 0.5 * f32::EPSILON as f64;
+    const NAME: &'static str = "f32";
     const ZERO: Self = 0.0;
     const ONE: Self = 1.0;
 
@@ -113,6 +135,10 @@ impl Real for f32 {
 
     fn widen(self) -> DoubleDouble {
         DoubleDouble::from_f64(f64::from(self))
+    }
+
+    fn narrow(wide: DoubleDouble) -> Self {
+        Self::from_f64(wide.to_f64())
     }
 
     fn sqrt(self) -> Self {
@@ -136,6 +162,11 @@ impl Real for f32 {
 /// The scalar product.
 pub fn dot<A: Real>(a: [A; 3], b: [A; 3]) -> A {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+/// The vector product.
+pub fn cross<A: Real>(a: [A; 3], b: [A; 3]) -> [A; 3] {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
 /// The power of two that brings the largest component of `v` into [1, 2), so that squares neither overflow nor vanish.

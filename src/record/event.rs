@@ -1,6 +1,6 @@
 //! The events of a traced pixel, in the order in which they happen.
 
-use super::{Value, What, Working};
+use super::{Outcome, Value, What, Working};
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -58,8 +58,8 @@ impl Entry {
 
     /// Adds a line of working: `symbol = formula`, with `bindings` put in, `= result`.
     #[must_use]
-    pub fn line(mut self, symbol: &str, formula: &str, bindings: &[(&str, Value)], result: impl Into<Value>) -> Self {
-        self.working.push(Working::new(symbol, formula, bindings, result.into()));
+    pub fn line(mut self, symbol: &str, formula: &str, bindings: &[(&str, Value)], result: impl Into<Outcome>) -> Self {
+        self.working.push(Working::new(symbol, formula, bindings, result));
         self
     }
 }

@@ -10,7 +10,10 @@ mod what;
 mod working;
 
 pub use event::{Entry, Event, EventId, Source, Triple};
-pub use parts::{Candidate, CandidateFate, Edge, Operator, PlaneRow, PlaneSense, RayKind, Sense, Sign, SignSpan, Span};
+pub use parts::{
+    Candidate, CandidateFate, Certificate, Edge, Operator, PlaneRow, PlaneSense, RayKind, Sense, Sign, SignSpan, Span,
+    Tier,
+};
 pub use recorder::{Counter, NullRecorder, Recorder};
 pub use what::What;
-pub use working::{Value, Working, format_number};
+pub use working::{Accuracy, Measured, Outcome, Value, Working, format_number};

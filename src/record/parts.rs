@@ -46,6 +46,48 @@ pub enum Sense {
     Touch,
 }
 
+/// How surely something is known: that there is a hit, or that there is none.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Certificate {
+    /// The error bound of the fast arithmetic leaves no other answer.
+    Certain,
+    /// The fast arithmetic could not tell, the finer one could.
+    Fallback,
+    /// The ray's own numbers do not say: half a unit in their last places would change the answer. What is reported is the
+    /// answer for the numbers exactly as they stand.
+    Undecidable,
+}
+
+impl Certificate {
+    /// The word for it.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Certain => "certain",
+            Self::Fallback => "decided by the fallback",
+            Self::Undecidable => "undecidable at input precision",
+        }
+    }
+}
+
+/// One arithmetic's attempt at a solver's closest decision.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct Tier {
+    /// The arithmetic.
+    pub arithmetic: String,
+    /// The number whose sign decides.
+    pub value: f64,
+    /// Bound on its rounding error.
+    pub doubt: f64,
+    /// Whether the sign is beyond doubt.
+    pub decided: bool,
+    /// Operations of this arithmetic that the attempt took.
+    pub operations: u64,
+    /// The same in operations of `f64`.
+    pub f64_operations: u64,
+}
+
 /// Whether a candidate hit time is on the primitive.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
@@ -146,6 +188,8 @@ pub struct Edge {
     pub part: String,
     /// Whether the leaf is subtracted, so that its normal is turned round.
     pub flipped: bool,
+    /// How surely it is known to exist.
+    pub certificate: Certificate,
 }
 
 /// An inside interval along the ray. A missing end is unbounded.

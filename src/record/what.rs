@@ -1,6 +1,6 @@
 //! What can happen to a ray, one variant each.
 
-use super::{Candidate, Operator, PlaneRow, RayKind, Sense, SignSpan, Span, Triple};
+use super::{Candidate, Certificate, Operator, PlaneRow, RayKind, Sense, SignSpan, Span, Tier, Triple};
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -136,6 +136,19 @@ pub enum What {
         /// The zeros found, ascending.
         roots: Vec<f64>,
     },
+    /// How a solver came to be sure: its closest decision, and the arithmetic that it took.
+    Decision {
+        /// The question whose answer was closest to the other one.
+        question: String,
+        /// The attempts, the fastest arithmetic first.
+        tiers: Vec<Tier>,
+        /// How far the deciding number moves when the ray's own numbers move by half a unit in their last places.
+        input_doubt: f64,
+        /// The hit time near which it hangs; none where it is about the whole ray.
+        near: Option<f64>,
+        /// How surely the answer is known.
+        certificate: Certificate,
+    },
     /// d(t) = F(S + c t): positive outside, zero on the surface, negative inside.
     Implicit {
         /// F(x, y, z) in words.
@@ -197,6 +210,8 @@ pub enum What {
         t: f64,
         /// The bound on the error of the hit time.
         t_error: f64,
+        /// How surely it is known that there is a hit.
+        certificate: Certificate,
         /// What the boundary does to the ray.
         sense: Sense,
         /// The point in world space.

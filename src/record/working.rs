@@ -47,6 +47,50 @@ impl std::fmt::Display for Value {
     }
 }
 
+/// How far a result may be off by rounding, and how many of its digits that took.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct Accuracy {
+    /// Bound on the distance from what exact arithmetic gives for the same inputs.
+    pub error: f64,
+    /// Decimal digits lost since the inputs: none after a single rounding, all of them where the error is as large as the
+    /// result.
+    pub digits_lost: f64,
+}
+
+/// A number with its accuracy, where the arithmetic keeps one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Measured<T> {
+    /// The number.
+    pub value: T,
+    /// How far it may be off.
+    pub accuracy: Option<Accuracy>,
+}
+
+/// What came out of a line of working.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Outcome {
+    value: Value,
+    accuracy: Option<Accuracy>,
+}
+
+impl<T: Into<Value>> From<T> for Outcome {
+    fn from(value: T) -> Self {
+        Self { value: value.into(), accuracy: None }
+    }
+}
+
+impl From<Measured<f64>> for Outcome {
+    fn from(number: Measured<f64>) -> Self {
+        Self { value: number.value.into(), accuracy: number.accuracy }
+    }
+}
+
+impl From<Measured<Triple>> for Outcome {
+    fn from(vector: Measured<Triple>) -> Self {
+        Self { value: vector.value.into(), accuracy: vector.accuracy }
+    }
+}
+
 /// One line of working, as a student would write it: `symbol = formula = numbers = result`.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Working {
@@ -58,13 +102,18 @@ pub struct Working {
     pub numbers: String,
     /// What came out: the very number that the tracer went on with.
     pub result: Value,
+    /// How far the result may be off, where the solver kept account.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub accuracy: Option<Accuracy>,
 }
 
 impl Working {
     /// Puts `bindings` into `formula`. No number is ever typed: each comes from the value that the tracer used.
     #[must_use]
-    pub fn new(symbol: &str, formula: &str, bindings: &[(&str, Value)], result: Value) -> Self {
-        Self { symbol: symbol.to_owned(), formula: formula.to_owned(), numbers: substitute(formula, bindings), result }
+    pub fn new(symbol: &str, formula: &str, bindings: &[(&str, Value)], result: impl Into<Outcome>) -> Self {
+        let Outcome { value, accuracy } = result.into();
+        let numbers = substitute(formula, bindings);
+        Self { symbol: symbol.to_owned(), formula: formula.to_owned(), numbers, result: value, accuracy }
     }
 }
 

@@ -1,64 +1,134 @@
 //! From a solver's roots to a primitive's crossings.
 
-use super::{Crossing, GenericRay, Part, Primitive};
-use crate::math::Real;
-use crate::record::Sense;
+use super::{Crossing, Part};
+use crate::record::{Certificate, Sense};
 
 /// A place where a solver found the surface crossed, in the solver's own parameter.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Root {
     /// τ.
     pub tau: f64,
+    /// Bound on its error.
+    pub error: f64,
     /// The part of the surface.
     pub part: Part,
 }
 
-/// Appends the crossings of a closed solid, given its roots in ascending order and what the first of them does.
-///
-/// Roots that fall on the same number in pairs bound nothing that has a length, and are left out. So far away that squares
-/// overflow nothing is known, and nothing is hit.
-pub(super) fn append_alternating<A: Real>(
-    shape: &impl Primitive,
-    ray: &GenericRay<A>,
+/// The roots of a solver, ascending, on their way to becoming crossings.
+pub(super) trait Boundaries {
+    /// Appends them to a primitive's crossings, where `first` is what the first of them does.
+    ///
+    /// Roots that fall on the same number in pairs bound nothing that has a length, and are left out. So far away that
+    /// squares overflow nothing is known, and nothing is hit. Near a tangent the bound on the error grows without limit, but
+    /// two boundaries that were told apart do not change places: neither is off by more than half the distance to the other.
+    fn append(self, first: Sense, t_per_tau: f64, certificate: Certificate, crossings: &mut Vec<Crossing>);
+}
+
+/// At most one, of a surface that a line meets once.
+impl Boundaries for Option<Root> {
+    #[inline]
+    fn append(self, first: Sense, t_per_tau: f64, certificate: Certificate, crossings: &mut Vec<Crossing>) {
+        let crossing = self.map(|root| crossing(root, t_per_tau, first, certificate));
+        crossings.extend(crossing.filter(|crossing| !crossing.t.is_nan()));
+    }
+}
+
+/// None or two, of a convex solid.
+impl Boundaries for Option<[Root; 2]> {
+    #[inline]
+    fn append(self, first: Sense, t_per_tau: f64, certificate: Certificate, crossings: &mut Vec<Crossing>) {
+        let Some([near, far]) = self else { return };
+        let (mut enter, mut leave) =
+            (crossing(near, t_per_tau, first, certificate), crossing(far, t_per_tau, opposite(first), certificate));
+        if enter.t < leave.t {
+            let room = 0.5 * (leave.t - enter.t);
+            enter.error = smaller(enter.error, room);
+            leave.error = smaller(leave.error, room);
+            crossings.extend_from_slice(&[enter, leave]);
+        }
+    }
+}
+
+/// A few roots without a heap.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Roots<const N: usize> {
+    items: [Root; N],
+    count: usize,
+}
+
+impl<const N: usize> Roots<N> {
+    /// None yet.
+    pub fn new() -> Self {
+        Self { items: [Root::default(); N], count: 0 }
+    }
+
+    /// Adds one; more than there is room for are not kept.
+    pub fn push(&mut self, root: Root) {
+        if let Some(slot) = self.items.get_mut(self.count) {
+            *slot = root;
+            self.count += 1;
+        }
+    }
+}
+
+impl<const N: usize> Boundaries for Roots<N> {
+    fn append(self, first: Sense, t_per_tau: f64, certificate: Certificate, crossings: &mut Vec<Crossing>) {
+        append_alternating(&self.items[..self.count], first, t_per_tau, certificate, crossings);
+    }
+}
+
+/// Appends any number of roots.
+pub(super) fn append_alternating(
     roots: &[Root],
     first: Sense,
+    t_per_tau: f64,
+    certificate: Certificate,
     crossings: &mut Vec<Crossing>,
 ) {
-    if roots.iter().any(|root| root.tau.is_nan()) {
-        return;
-    }
     let start = crossings.len();
-    let mut sense = first;
+    let (mut sense, mut before) = (first, f64::NEG_INFINITY);
     for root in roots {
-        let crossing = crossing(shape, ray, *root, sense);
-        let before = crossings.get(start..).and_then(<[Crossing]>::last);
-        if before.is_some_and(|before| before.t >= crossing.t) {
-            crossings.pop();
-        } else {
+        let mut crossing = crossing(*root, t_per_tau, sense, certificate);
+        if crossing.t > before {
+            let room = 0.5 * (crossing.t - before);
+            if let Some(last) = crossings[start..].last_mut() {
+                last.error = smaller(last.error, room);
+            }
+            crossing.error = smaller(crossing.error, room);
+            before = crossing.t;
             crossings.push(crossing);
+        } else if crossing.t.is_nan() {
+            crossings.truncate(start);
+            return;
+        } else {
+            crossings.pop();
+            before = crossings[start..].last().map_or(f64::NEG_INFINITY, |last| last.t);
         }
-        sense = if sense == Sense::Enter { Sense::Leave } else { Sense::Enter };
+        sense = opposite(sense);
     }
-    cap_errors(&mut crossings[start..]);
 }
 
-/// A root as a crossing, with the error that follows from the slope of the surface there.
+/// What the next crossing does.
+#[inline]
+const fn opposite(sense: Sense) -> Sense {
+    match sense {
+        Sense::Enter => Sense::Leave,
+        Sense::Leave => Sense::Enter,
+        Sense::Touch => Sense::Touch,
+    }
+}
+
+/// The smaller one, `b` where `a` is not a number.
+#[inline]
+fn smaller(a: f64, b: f64) -> f64 {
+    if a < b { a } else { b }
+}
+
+/// A root as a crossing.
 ///
 /// A hit time too large for a number (the direction is next to nothing) becomes the largest one.
-pub(super) fn crossing<A: Real>(shape: &impl Primitive, ray: &GenericRay<A>, root: Root, sense: Sense) -> Crossing {
-    let tau = A::from_f64(root.tau);
-    let normal = shape.normal(ray.point(tau), root.part);
-    let error = ray.root_error(normal, tau) * ray.t_per_tau;
-    Crossing { t: (root.tau * ray.t_per_tau).clamp(f64::MIN, f64::MAX), error, sense, part: root.part }
-}
-
-/// Near a tangent the bound grows without limit, but two boundaries that were told apart do not change places: neither
-/// is off by more than half the distance to the other.
-fn cap_errors(crossings: &mut [Crossing]) {
-    for i in 1..crossings.len() {
-        let half = 0.5 * (crossings[i].t - crossings[i - 1].t);
-        for crossing in &mut crossings[i - 1..=i] {
-            crossing.error = crossing.error.min(half);
-        }
-    }
+#[inline]
+fn crossing(root: Root, t_per_tau: f64, sense: Sense, certificate: Certificate) -> Crossing {
+    let t = (root.tau * t_per_tau).clamp(f64::MIN, f64::MAX);
+    Crossing { t, error: root.error * t_per_tau, sense, part: root.part, certificate }
 }

@@ -1,7 +1,7 @@
 //! What every generic primitive can do.
 
-use crate::math::{DoubleDouble, Real, dot, scale_to_unit};
-use crate::record::{Recorder, Sense};
+use crate::math::{DoubleDouble, Real, Traced, WideMap, dot, scale_to_unit};
+use crate::record::{Certificate, Recorder, Sense};
 use glam::{DVec2, DVec3};
 
 /// A ray S + c t in a primitive's generic coordinates, in the arithmetic `A`.
@@ -9,29 +9,129 @@ use glam::{DVec2, DVec3};
 /// Solvers see a direction whose largest component lies in [1, 2): `direction` is c times an exact power of two, and a
 /// solver's own parameter τ gives the shared hit time as t = τ · `t_per_tau`.
 #[derive(Clone, Copy, Debug)]
-pub struct GenericRay<A> {
+pub struct GenericRay<'a, A> {
     /// S.
     pub origin: [A; 3],
     /// c, scaled by a power of two.
     pub direction: [A; 3],
     /// The power of two that takes a solver's parameter to the shared t.
     pub t_per_tau: f64,
+    /// The sizes of the numbers that were added up to S: what its rounding errors are in proportion to.
+    pub origin_size: [f64; 3],
+    /// The same of the scaled c.
+    pub direction_size: [f64; 3],
+    /// The ray as it was given.
+    given: Given<'a>,
 }
 
-impl<A: Real> GenericRay<A> {
-    /// The ray through `origin` (S) with `direction` (c, any length but zero).
+/// The ray before the transform, and the map that takes it to generic coordinates.
+#[derive(Clone, Copy, Debug)]
+struct Given<'a> {
+    origin: DVec3,
+    direction: DVec3,
+    generic_from_world: Option<&'a WideMap>,
+}
+
+impl Given<'_> {
+    /// S and c with 32 digits.
+    fn wide(&self) -> [[DoubleDouble; 3]; 2] {
+        let (origin, direction) = (self.origin.to_array(), self.direction.to_array());
+        match self.generic_from_world {
+            Some(map) => [map.point(origin), map.vector(direction)],
+            None => [origin, direction].map(|v| v.map(DoubleDouble::from_f64)),
+        }
+    }
+}
+
+impl<A: Real> GenericRay<'static, A> {
+    /// The ray through `origin` (S) with `direction` (c, any length but zero), given in generic coordinates.
     #[must_use]
     pub fn new(origin: DVec3, direction: DVec3) -> Self {
         let scale = scale_to_unit(direction.to_array());
+        let given = Given { origin, direction, generic_from_world: None };
+        let direction = direction * scale;
         Self {
             origin: origin.to_array().map(A::from_f64),
-            direction: direction.to_array().map(|x| A::from_f64(x * scale)),
+            direction: direction.to_array().map(A::from_f64),
             t_per_tau: scale,
+            origin_size: origin.abs().to_array(),
+            direction_size: direction.abs().to_array(),
+            given,
+        }
+    }
+}
+
+impl GenericRay<'static, DoubleDouble> {
+    /// A line that is known with 32 digits, with its parameter as it is.
+    #[must_use]
+    pub fn wide(origin: [DoubleDouble; 3], direction: [DoubleDouble; 3]) -> Self {
+        let plain = |v: [DoubleDouble; 3]| DVec3::from_array(v.map(Real::to_f64));
+        let given = Given { origin: plain(origin), direction: plain(direction), generic_from_world: None };
+        let [origin_size, direction_size] = [origin, direction].map(|v| plain(v).abs().to_array());
+        Self { origin, direction, t_per_tau: 1.0, origin_size, direction_size, given }
+    }
+}
+
+impl<'a, A: Real> GenericRay<'a, A> {
+    /// The world ray (`origin`, `direction`), taken to generic coordinates.
+    ///
+    /// `plain` is S and c in double precision, `sizes` the sizes of what was added up to them, `map` the same map with 32
+    /// digits. Arithmetics with more digits than `f64` take theirs from there.
+    #[must_use]
+    pub fn mapped(world: [DVec3; 2], plain: [DVec3; 2], sizes: [DVec3; 2], map: &'a WideMap) -> Self {
+        let given = Given { origin: world[0], direction: world[1], generic_from_world: Some(map) };
+        let scale = scale_to_unit(plain[1].to_array());
+        // What the transform rounds off comes to what the solver itself does.
+        let origin_size = (plain[0].abs() + sizes[0]).to_array();
+        let direction_size = ((plain[1].abs() + sizes[1]) * scale).to_array();
+        let from_plain = Self {
+            origin: plain[0].to_array().map(A::from_f64),
+            direction: (plain[1] * scale).to_array().map(A::from_f64),
+            t_per_tau: scale,
+            origin_size,
+            direction_size,
+            given,
+        };
+        if A::UNIT_ROUNDOFF < f64::UNIT_ROUNDOFF { from_plain.exactly() } else { from_plain }
+    }
+
+    /// The same ray in another arithmetic, from its numbers with 32 digits.
+    #[must_use]
+    pub fn exactly<B: Real>(&self) -> GenericRay<'a, B> {
+        let [origin, direction] = self.given.wide();
+        let scale = DoubleDouble::from_f64(self.t_per_tau);
+        GenericRay {
+            origin: origin.map(B::narrow),
+            direction: direction.map(|x| B::narrow(x * scale)),
+            t_per_tau: self.t_per_tau,
+            origin_size: self.origin_size,
+            direction_size: self.direction_size,
+            given: self.given,
+        }
+    }
+
+    /// The same ray in the arithmetic with the most digits.
+    #[must_use]
+    pub fn widen(&self) -> GenericRay<'a, DoubleDouble> {
+        self.exactly()
+    }
+
+    /// The same numbers, with an account of their errors.
+    #[must_use]
+    pub fn traced(&self) -> GenericRay<'a, Traced<A>> {
+        GenericRay {
+            origin: self.origin.map(Traced::exact),
+            direction: self.direction.map(Traced::exact),
+            t_per_tau: self.t_per_tau,
+            origin_size: self.origin_size,
+            direction_size: self.direction_size,
+            given: self.given,
         }
     }
 
     /// S + c τ.
     #[must_use]
+    #[inline]
     pub fn at(&self, tau: A) -> [A; 3] {
         std::array::from_fn(|i| self.origin[i] + self.direction[i] * tau)
     }
@@ -52,16 +152,6 @@ impl<A: Real> GenericRay<A> {
         first - dot(self.at(first), self.direction) / length_squared
     }
 
-    /// The same ray in the arithmetic with the most digits.
-    #[must_use]
-    pub fn widen(&self) -> GenericRay<DoubleDouble> {
-        GenericRay {
-            origin: self.origin.map(Real::widen),
-            direction: self.direction.map(Real::widen),
-            t_per_tau: self.t_per_tau,
-        }
-    }
-
     /// S as plain numbers.
     #[must_use]
     pub fn start(&self) -> [f64; 3] {
@@ -74,24 +164,50 @@ impl<A: Real> GenericRay<A> {
         self.direction.map(|x| x.to_f64() / self.t_per_tau)
     }
 
-    /// The largest component of S: what rounding errors near the solid are in proportion to.
+    /// What rounding errors near the solid are in proportion to: the largest number that went into S, and what as large a
+    /// share of c moves over the way from S to the solid.
     #[must_use]
+    #[inline]
     pub fn reach(&self) -> f64 {
-        self.start().into_iter().fold(0.0, |largest: f64, x| largest.max(x.abs()))
+        let [x, y, z] = self.origin_size;
+        let [u, v, w] = self.direction_size;
+        x.max(y).max(z) * u.max(v).max(w).max(1.0)
+    }
+
+    /// How far each coordinate of S + c τ is off when S and c are off by one part in one.
+    #[must_use]
+    #[inline]
+    pub fn sway(&self, tau: f64) -> [f64; 3] {
+        let tau = tau.abs();
+        std::array::from_fn(|i| self.origin_size[i] + tau * self.direction_size[i])
     }
 
     /// Bound on how far the hit time of a root moves when the ray's numbers move by a rounding each.
     ///
-    /// `gradient` is that of the implicit function at the hit: δt = Σ|∂F/∂xᵢ| (|Sᵢ| + |τ cᵢ|) u / |∇F · c|. At a tangent
+    /// `gradient` is that of the implicit function at the hit: δτ = Σ|∂F/∂xᵢ| (|Sᵢ| + |τ cᵢ|) u / |∇F · c|. At a tangent
     /// it is without bound; the caller caps it by the extent of the solid.
     #[must_use]
-    pub fn root_error(&self, gradient: DVec3, tau: A) -> f64 {
-        let (g, tau) = (gradient.to_array(), tau.to_f64());
-        let (s, c) = (self.origin.map(Real::to_f64), self.direction.map(Real::to_f64));
-        let moved: f64 = (0..3).map(|i| g[i].abs() * (s[i].abs() + (tau * c[i]).abs())).sum();
-        let slope: f64 = (0..3).map(|i| g[i] * c[i]).sum();
-        // Four roundings: the inverse transform of S and c, the solver's own, and that of the result.
-        4.0 * A::UNIT_ROUNDOFF * (moved / slope.abs() + tau.abs())
+    #[inline]
+    pub fn root_error(&self, gradient: [f64; 3], tau: f64) -> f64 {
+        let c = self.direction.map(Real::to_f64);
+        self.error_for_slope(gradient, gradient[0] * c[0] + gradient[1] * c[1] + gradient[2] * c[2], tau)
+    }
+
+    /// The same, where ∇F · c is known.
+    #[must_use]
+    #[inline]
+    pub fn error_for_slope(&self, gradient: [f64; 3], slope: f64, tau: f64) -> f64 {
+        let [x, y, z] = self.sway(tau);
+        let moved = gradient[0].abs() * x + gradient[1].abs() * y + gradient[2].abs() * z;
+        self.error_of_time(moved / slope.abs(), tau)
+    }
+
+    /// The same, where it is known that τ moves by `moved` when the ray's numbers move by one part in one.
+    #[must_use]
+    #[inline]
+    pub fn error_of_time(&self, moved: f64, tau: f64) -> f64 {
+        // Four roundings of the arithmetic, and those of the numbers that were given.
+        (4.0 * A::UNIT_ROUNDOFF + f64::UNIT_ROUNDOFF) * (moved + tau.abs())
     }
 }
 
@@ -109,6 +225,8 @@ pub struct Crossing {
     pub sense: Sense,
     /// The part of the surface.
     pub part: Part,
+    /// How surely it is known to exist.
+    pub certificate: Certificate,
 }
 
 /// The primitive's box in its generic coordinates; infinite where unbounded.

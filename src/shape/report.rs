@@ -2,7 +2,7 @@
 
 use super::{Bounds, Crossing, GenericRay, Part, Primitive};
 use crate::math::Real;
-use crate::record::{Candidate, CandidateFate, Entry, Sense, Sign, SignSpan, Value, What};
+use crate::record::{Accuracy, Candidate, CandidateFate, Entry, Measured, Sense, Sign, SignSpan, Triple, Value, What};
 
 /// How many values of d(t) are kept: enough for a smooth curve at the width of a plot.
 const SAMPLES: u32 = 65;
@@ -15,6 +15,27 @@ pub(super) fn start<A: Real>(ray: &GenericRay<A>) -> Value {
 /// c as a value for a line of working.
 pub(super) fn course<A: Real>(ray: &GenericRay<A>) -> Value {
     Value::Vector(ray.course())
+}
+
+/// A number of a solver times an exact power of two, with its accuracy where the arithmetic keeps one.
+pub(super) fn measured<A: Real>(x: A, power_of_two: f64) -> Measured<f64> {
+    let value = x.to_f64() * power_of_two;
+    Measured { value, accuracy: x.error().map(|error| accuracy::<A>(error * power_of_two, value)) }
+}
+
+/// A vector with the accuracy of its worst coordinate.
+pub(super) fn measured_vector<A: Real>(v: [A; 3], power_of_two: f64) -> Measured<Triple> {
+    let value = v.map(|x| x.to_f64() * power_of_two);
+    let size = value.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+    let error = v.iter().filter_map(|x| x.error()).reduce(f64::max);
+    Measured { value, accuracy: error.map(|error| accuracy::<A>(error * power_of_two, size)) }
+}
+
+/// An error, and the digits that it takes from a number of this size.
+fn accuracy<A: Real>(error: f64, value: f64) -> Accuracy {
+    let digits = -A::UNIT_ROUNDOFF.log10();
+    let lost = if error > 0.0 { digits + (error / value.abs()).log10() } else { 0.0 };
+    Accuracy { error, digits_lost: lost.clamp(0.0, digits) }
 }
 
 /// A hit time that was looked at and does not count.

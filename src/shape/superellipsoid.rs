@@ -28,7 +28,7 @@ use super::gauge::Exponents;
 use super::superellipsoid_search::{Findings, search};
 use super::{Bounds, Crossing, GenericRay, Part, Primitive, boundary, boundary::Root, report};
 use crate::math::Real;
-use crate::record::{Entry, Recorder, Sense, Value, What, format_number};
+use crate::record::{Certificate, Entry, Recorder, Sense, Value, What, format_number};
 use glam::{DVec2, DVec3};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -66,8 +66,12 @@ impl Primitive for Superellipsoid {
     fn crossings<A: Real>(&self, ray: &GenericRay<A>, recorder: &mut impl Recorder, crossings: &mut Vec<Crossing>) {
         let begin = crossings.len();
         let findings = search(self.exponents, ray);
-        let roots: Vec<_> = findings.roots.iter().map(|&tau| Root { tau, part: 0 }).collect();
-        boundary::append_alternating(self, ray, &roots, Sense::Enter, crossings);
+        let root = |&tau: &f64| {
+            let normal = self.normal(ray.point(A::from_f64(tau)), 0).to_array();
+            Root { tau, error: ray.root_error(normal, tau), part: 0 }
+        };
+        let roots: Vec<_> = findings.roots.iter().map(root).collect();
+        boundary::append_alternating(&roots, Sense::Enter, ray.t_per_tau, Certificate::Certain, crossings);
         let found = &crossings[begin..];
         recorder.note(|| self.working(ray, &findings));
         recorder.note(|| report::implicit(self, ray, found));

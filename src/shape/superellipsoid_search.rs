@@ -129,7 +129,7 @@ struct Search<'a, A> {
     exponents: Exponents,
     line: Line<A>,
     plain: Line<f64>,
-    ray: &'a GenericRay<A>,
+    ray: &'a GenericRay<'a, A>,
     findings: Findings,
     /// The last place with a certain sign.
     last: (f64, i8),

@@ -25,7 +25,7 @@
 
 use super::{Bounds, Crossing, GenericRay, Part, Primitive, boundary, boundary::Root, outline, report};
 use crate::math::{Quartic, Real, dot};
-use crate::record::{Candidate, Entry, Recorder, Sense, Value, What};
+use crate::record::{Candidate, Certificate, Entry, Recorder, Sense, Value, What};
 use glam::{DVec2, DVec3};
 use std::f64::consts::{FRAC_PI_4, TAU};
 
@@ -239,8 +239,12 @@ impl Primitive for Torus {
     fn crossings<A: Real>(&self, ray: &GenericRay<A>, recorder: &mut impl Recorder, crossings: &mut Vec<Crossing>) {
         let begin = crossings.len();
         let Some(solution) = self.solve(ray).or_else(|| self.solve(&ray.widen())) else { return };
-        let roots: Vec<_> = solution.boundaries.iter().map(|&tau| Root { tau, part: 0 }).collect();
-        boundary::append_alternating(self, ray, &roots, Sense::Enter, crossings);
+        let root = |&tau: &f64| {
+            let normal = self.normal(ray.point(A::from_f64(tau)), 0).to_array();
+            Root { tau, error: ray.root_error(normal, tau), part: 0 }
+        };
+        let roots: Vec<_> = solution.boundaries.iter().map(root).collect();
+        boundary::append_alternating(&roots, Sense::Enter, ray.t_per_tau, Certificate::Certain, crossings);
         let found = &crossings[begin..];
         recorder.note(|| self.working(ray, &solution));
         recorder.note(|| report::implicit(self, ray, found));

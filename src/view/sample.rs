@@ -1,15 +1,15 @@
 //! Things made up for tests: a tree with every kind of event once, and a drawing, with numbers that a person can check.
 
 use crate::record::{
-    Candidate, CandidateFate, Edge, Entry, Operator, PlaneRow, PlaneSense, RayKind, Recorder, Sense, Sign, SignSpan,
-    Span, What,
+    Candidate, CandidateFate, Certificate, Edge, Entry, Operator, PlaneRow, PlaneSense, RayKind, Recorder, Sense, Sign,
+    SignSpan, Span, What,
 };
 use crate::trace::{RayTree, TreeRecorder};
 use crate::view::{Drawing, Form, Stroke, Theme};
 
 /// An end of an interval.
 pub fn edge(t: f64, leaf: usize, name: &str, part: &str, flipped: bool) -> Edge {
-    Edge { t, leaf, name: name.to_owned(), part: part.to_owned(), flipped }
+    Edge { t, leaf, name: name.to_owned(), part: part.to_owned(), flipped, certificate: Certificate::Certain }
 }
 
 /// A bounded interval.
@@ -182,6 +182,7 @@ fn hit() -> What {
         material: "glass".into(),
         t: 4.5,
         t_error: 1e-15,
+        certificate: Certificate::Certain,
         sense: Sense::Enter,
         point: [0.0, 0.0, -0.5],
         generic_point: [0.0, 0.0, -1.0],

@@ -1,9 +1,9 @@
 //! Everything that an event holds, arranged for reading: used by the workbench's detail panel and by the text tree.
 
 use super::explain::explain;
-use super::format::{count, degrees, number_list, percent, span_list, vector};
+use super::format::{accuracy, count, degrees, number_list, percent, significant, span_list, vector};
 use super::row::{capitalised, row, surface, titled};
-use super::tables::{candidate_table, colour_table, plane_table, polynomial};
+use super::tables::{candidate_table, colour_table, plane_table, polynomial, tier_table};
 use crate::record::{Event, Sense, Sign, SignSpan, What, format_number};
 
 /// What an event holds, for reading.
@@ -62,7 +62,7 @@ pub fn detail(event: &Event) -> Detail {
         symbol: line.symbol.clone(),
         formula: line.formula.clone(),
         numbers: line.numbers.clone(),
-        result: line.result.to_string(),
+        result: line.result.to_string() + &line.accuracy.as_ref().map(accuracy).unwrap_or_default(),
     }));
     Detail {
         title: capitalised(&row(event).label),
@@ -162,6 +162,12 @@ fn search_lines(what: &What) -> Option<Vec<DetailLine>> {
             pair("undecided to the last bit", undecided.to_string()),
             pair("roots", number_list(roots)),
         ],
+        What::Decision { question, tiers, input_doubt, certificate, .. } => vec![
+            pair("question", question.clone()),
+            tier_table(tiers),
+            pair("last places of the ray's numbers", format!("move it by {}", significant(*input_doubt, 2))),
+            pair("certificate", certificate.name()),
+        ],
         What::Implicit { equation, samples, roots, signs } => vec![
             pair("F(x, y, z)", equation.clone()),
             pair("samples", samples.len().to_string()),
@@ -199,6 +205,7 @@ fn hit_lines(what: &What) -> Option<Vec<DetailLine>> {
             material,
             t,
             t_error,
+            certificate,
             sense,
             point,
             generic_point,
@@ -208,7 +215,8 @@ fn hit_lines(what: &What) -> Option<Vec<DetailLine>> {
         } => vec![
             pair("surface", format!("{} (a {})", surface(object, leaf, part), shape.replace('_', " "))),
             pair("material", material.clone()),
-            pair("t", format!("{} ± {}", format_number(*t), super::format::significant(*t_error, 2))),
+            pair("t", format!("{} ± {}", format_number(*t), significant(*t_error, 2))),
+            pair("known", certificate.name()),
             pair("the ray", sense_in_words(*sense)),
             pair("point", vector(*point)),
             pair("point, generic", vector(*generic_point)),

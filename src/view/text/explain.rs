@@ -1,6 +1,6 @@
 //! What an event means, in a sentence or two for somebody who meets it for the first time.
 
-use crate::record::{Operator, RayKind, Sense, What};
+use crate::record::{Certificate, Operator, RayKind, Sense, What};
 
 /// The sentence for an event. It depends on the kind of event and on how it ended, never on its numbers.
 pub(super) fn explain(what: &What) -> &'static str {
@@ -42,11 +42,29 @@ fn explain_search(what: &What) -> Option<&'static str> {
             "No formula gives the zeros of d(t), so the ray is cut into ever shorter stretches; a stretch on which a \
              bound shows that d(t) keeps its sign is done."
         }
+        What::Decision { certificate, .. } => decided(*certificate),
         What::Implicit { .. } => "d(t) is positive outside the shape, zero on its surface and negative inside.",
         What::Roots { .. } => "Each hit time that a solver offers is kept or turned down, for a reason.",
         What::Combine { operator, early_out, .. } => combined(*operator, early_out.is_some()),
         _ => return None,
     })
+}
+
+const fn decided(certificate: Certificate) -> &'static str {
+    match certificate {
+        Certificate::Certain => {
+            "Of all decisions on the way this one was the closest: the number is larger than all rounding errors in it, \
+             so its sign is sure."
+        }
+        Certificate::Fallback => {
+            "The number is smaller than the rounding errors of the fast arithmetic, so its sign is not sure. With 32 \
+             digits it is."
+        }
+        Certificate::Undecidable => {
+            "The ray's own numbers do not say: half a unit in their last places turns the sign of this number. What \
+             follows is the answer for the numbers exactly as they stand."
+        }
+    }
 }
 
 const fn step(number: u8) -> &'static str {

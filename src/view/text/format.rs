@@ -1,6 +1,6 @@
 //! Numbers, intervals and tables as text.
 
-use crate::record::{Edge, Span, Triple, format_number};
+use crate::record::{Accuracy, Certificate, Edge, Span, Triple, format_number};
 
 /// A number with four significant digits, for rows and labels where room is short.
 #[must_use]
@@ -30,6 +30,16 @@ pub fn significant(x: f64, digits: i32) -> String {
     format_number(rounded)
 }
 
+/// How far a result may be off, behind it: `   ± 4.1·10⁻¹⁶, 0.6 digits lost`.
+pub(super) fn accuracy(accuracy: &Accuracy) -> String {
+    if accuracy.error == 0.0 {
+        return String::new();
+    }
+    let digits = format_number((accuracy.digits_lost * 10.0).round() / 10.0);
+    let lost = if digits == "0" { String::new() } else { format!(", {digits} digits lost") };
+    format!("   ± {}{lost}", significant(accuracy.error, 2))
+}
+
 /// A point, direction or colour with four significant digits each.
 #[must_use]
 pub fn brief_vector(v: Triple) -> String {
@@ -44,6 +54,7 @@ pub(super) fn vector(v: Triple) -> String {
 /// An end of an interval: `3.2 wall of shell`, with a note where the leaf is subtracted.
 pub(super) fn edge(edge: &Edge) -> String {
     let turned = if edge.flipped { " (turned round)" } else { "" };
+    let turned = if edge.certificate == Certificate::Undecidable { " (undecidable)" } else { turned };
     format!("{} {} of {}{turned}", format_number(edge.t), edge.part, edge.name)
 }
 
@@ -125,7 +136,14 @@ mod tests {
 
     #[test]
     fn an_unbounded_interval_has_round_brackets() {
-        let top = Edge { t: 2.5, leaf: 0, name: "ground".into(), part: "surface".into(), flipped: false };
+        let top = Edge {
+            t: 2.5,
+            leaf: 0,
+            name: "ground".into(),
+            part: "surface".into(),
+            flipped: false,
+            certificate: Certificate::Certain,
+        };
         assert_eq!(span_list(&[Span { enter: Some(top.clone()), leave: None }]), "[2.5 surface of ground, ∞)");
         assert_eq!(span_list(&[Span { enter: None, leave: Some(top) }]), "(−∞, 2.5 surface of ground]");
         assert_eq!(span_list(&[]), "empty");

@@ -1,7 +1,7 @@
 //! The one-line description of an event.
 
 use super::format::{brief, brief_vector, count, degrees, number_list, percent, times};
-use crate::record::{Candidate, CandidateFate, Event, PlaneSense, RayKind, What};
+use crate::record::{Candidate, CandidateFate, Certificate, Event, PlaneSense, RayKind, Tier, What};
 
 /// One line: an icon, what happened, and the numbers that matter most.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -39,6 +39,8 @@ fn icon(what: &What) -> &'static str {
         What::Quadratic { .. } => "²",
         What::Quartic { .. } => "⁴",
         What::Search { .. } => "≈",
+        What::Decision { certificate: Certificate::Undecidable, .. } => "?",
+        What::Decision { .. } => "±",
         What::Implicit { .. } => "ƒ",
         What::Roots { .. } => "√",
         What::Combine { operator, .. } => operator.sign(),
@@ -74,6 +76,13 @@ fn label(what: &What) -> String {
         What::Quadratic { about, roots, .. } => format!("quadratic for {about}: {}", count(roots.len(), "root")),
         What::Quartic { roots, .. } => format!("quartic: {}", count(roots.len(), "root")),
         What::Search { roots, .. } => format!("search for the zeros of d(t): {}", count(roots.len(), "root")),
+        What::Decision { certificate, tiers, .. } => {
+            let by = tiers.last().map(|tier| tier.arithmetic.as_str()).unwrap_or_default();
+            match certificate {
+                Certificate::Undecidable => "closest decision: undecidable at input precision".to_owned(),
+                certificate => format!("closest decision: {} in {by}", certificate_words(*certificate)),
+            }
+        }
         What::Implicit { roots, .. } => format!("d(t) along the ray: {}", count(roots.len(), "zero")),
         What::Roots { candidates } => {
             format!("hit times: {} of {} kept", accepted(candidates).count(), candidates.len())
@@ -126,6 +135,7 @@ fn numbers(event: &Event) -> String {
         | What::Quartic { roots, .. }
         | What::Search { roots, .. }
         | What::Implicit { roots, .. } => times_at(roots.iter().copied()),
+        What::Decision { tiers, .. } => tiers.last().map(margin).unwrap_or_default(),
         What::Combine { combined, .. } => times(combined),
         What::Rejected { t, reason, .. } => format!("t = {}: {reason}", brief(*t)),
         What::Hit { t, point, .. } => format!("t = {} at {}", brief(*t), brief_vector(*point)),
@@ -141,6 +151,19 @@ fn numbers(event: &Event) -> String {
         What::Written { srgb: [r, g, b], .. } => format!("sRGB {r}, {g}, {b}"),
         What::Object { .. } | What::Extent { .. } | What::Primitive { .. } | What::Medium { .. } => String::new(),
     }
+}
+
+const fn certificate_words(certificate: Certificate) -> &'static str {
+    match certificate {
+        Certificate::Certain => "certain",
+        Certificate::Fallback => "decided by the fallback,",
+        Certificate::Undecidable => "undecidable",
+    }
+}
+
+/// `0.8 ± 3·10⁻¹⁵`.
+fn margin(tier: &Tier) -> String {
+    format!("{} ± {}", brief(tier.value), brief(tier.doubt))
 }
 
 fn accepted(candidates: &[Candidate]) -> impl Iterator<Item = &Candidate> {

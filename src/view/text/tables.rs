@@ -1,8 +1,8 @@
 //! The tables of the detail, and the polynomial in words.
 
 use super::detail::DetailLine;
-use super::format::vector;
-use crate::record::{Candidate, CandidateFate, PlaneRow, PlaneSense, Sense, Triple, format_number};
+use super::format::{significant, vector};
+use crate::record::{Candidate, CandidateFate, PlaneRow, PlaneSense, Sense, Tier, Triple, format_number};
 
 /// `3 + 2 t − t⁴`, from the constant term up.
 pub(super) fn polynomial(coefficients: &[f64; 5]) -> String {
@@ -46,6 +46,26 @@ pub(super) fn candidate_table(candidates: &[Candidate]) -> Option<DetailLine> {
         headers: vec!["", "t", "sense", "part", "S + c t", "why"],
         rows: rows.collect(),
     })
+}
+
+/// What each arithmetic made of the closest decision.
+pub(super) fn tier_table(tiers: &[Tier]) -> DetailLine {
+    let row = |tier: &Tier| {
+        let sure = if tier.decided { "sure" } else { "open" };
+        vec![
+            tier.arithmetic.clone(),
+            significant(tier.value, 4),
+            significant(tier.doubt, 2),
+            sure.to_owned(),
+            tier.operations.to_string(),
+            tier.f64_operations.to_string(),
+        ]
+    };
+    DetailLine::Table {
+        title: "attempts".to_owned(),
+        headers: vec!["arithmetic", "number", "±", "sign", "operations", "in f64"],
+        rows: tiers.iter().map(row).collect(),
+    }
 }
 
 /// The plane table of § 6.2.3.
