@@ -27,6 +27,8 @@ mod tapered_wall;
 #[cfg(test)]
 mod testing;
 mod torus;
+mod torus_quartic;
+mod torus_roots;
 
 pub use convex_polyhedron::{ConvexPolyhedron, HalfSpace};
 pub use cube::Cube;
