@@ -2,6 +2,7 @@
 
 mod alone;
 mod double_double;
+mod elementary;
 mod quadratic;
 mod range;
 mod real;
@@ -11,6 +12,7 @@ mod wide_map;
 
 pub use alone::Alone;
 pub use double_double::DoubleDouble;
+pub use elementary::{exp, ln};
 pub use quadratic::Quadratic;
 pub use range::Range;
 pub use real::{Real, cross, dot, scale_to_unit};

@@ -14,7 +14,42 @@ pub(super) struct Root {
     pub part: Part,
 }
 
-/// A few roots, ascending, without a heap.
+/// The roots of a solver, ascending, on their way to becoming crossings.
+pub(super) trait Boundaries {
+    /// Appends them to a primitive's crossings, where `first` is what the first of them does.
+    ///
+    /// Roots that fall on the same number in pairs bound nothing that has a length, and are left out. So far away that
+    /// squares overflow nothing is known, and nothing is hit. Near a tangent the bound on the error grows without limit, but
+    /// two boundaries that were told apart do not change places: neither is off by more than half the distance to the other.
+    fn append(self, first: Sense, t_per_tau: f64, certificate: Certificate, crossings: &mut Vec<Crossing>);
+}
+
+/// At most one, of a surface that a line meets once.
+impl Boundaries for Option<Root> {
+    #[inline]
+    fn append(self, first: Sense, t_per_tau: f64, certificate: Certificate, crossings: &mut Vec<Crossing>) {
+        let crossing = self.map(|root| crossing(root, t_per_tau, first, certificate));
+        crossings.extend(crossing.filter(|crossing| !crossing.t.is_nan()));
+    }
+}
+
+/// None or two, of a convex solid.
+impl Boundaries for Option<[Root; 2]> {
+    #[inline]
+    fn append(self, first: Sense, t_per_tau: f64, certificate: Certificate, crossings: &mut Vec<Crossing>) {
+        let Some([near, far]) = self else { return };
+        let (mut enter, mut leave) =
+            (crossing(near, t_per_tau, first, certificate), crossing(far, t_per_tau, opposite(first), certificate));
+        if enter.t < leave.t {
+            let room = 0.5 * (leave.t - enter.t);
+            enter.error = smaller(enter.error, room);
+            leave.error = smaller(leave.error, room);
+            crossings.extend_from_slice(&[enter, leave]);
+        }
+    }
+}
+
+/// A few roots without a heap.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Roots<const N: usize> {
     items: [Root; N],
@@ -36,40 +71,19 @@ impl<const N: usize> Roots<N> {
     }
 }
 
-impl Roots<1> {
-    /// The only one, or none.
-    pub fn one(root: Option<Root>) -> Self {
-        match root {
-            Some(root) => Self { items: [root], count: 1 },
-            None => Self::new(),
-        }
-    }
-}
-
-impl Roots<2> {
-    /// Both, or none.
-    #[inline]
-    pub fn pair(ends: Option<[Root; 2]>) -> Self {
-        match ends {
-            Some(items) => Self { items, count: 2 },
-            None => Self::new(),
-        }
-    }
-}
-
 impl<const N: usize> AsRef<[Root]> for Roots<N> {
     fn as_ref(&self) -> &[Root] {
         &self.items[..self.count]
     }
 }
 
-/// Appends the crossings of a primitive, given its roots in ascending order and what the first of them does.
-///
-/// Roots that fall on the same number in pairs bound nothing that has a length, and are left out. So far away that squares
-/// overflow nothing is known, and nothing is hit. Near a tangent the bound on the error grows without limit, but two
-/// boundaries that were told apart do not change places: neither is off by more than half the distance to the other. A hit
-/// time too large for a number (the direction is next to nothing) becomes the largest one.
-#[inline]
+impl<const N: usize> Boundaries for &Roots<N> {
+    fn append(self, first: Sense, t_per_tau: f64, certificate: Certificate, crossings: &mut Vec<Crossing>) {
+        append_alternating(self.as_ref(), first, t_per_tau, certificate, crossings);
+    }
+}
+
+/// Appends any number of roots.
 pub(super) fn append_alternating(
     roots: &[Root],
     first: Sense,
@@ -80,26 +94,47 @@ pub(super) fn append_alternating(
     let start = crossings.len();
     let (mut sense, mut before) = (first, f64::NEG_INFINITY);
     for root in roots {
-        let t = (root.tau * t_per_tau).clamp(f64::MIN, f64::MAX);
-        if t > before {
-            let room = 0.5 * (t - before);
+        let mut crossing = crossing(*root, t_per_tau, sense, certificate);
+        if crossing.t > before {
+            let room = 0.5 * (crossing.t - before);
             if let Some(last) = crossings[start..].last_mut() {
-                last.error = last.error.min(room);
+                last.error = smaller(last.error, room);
             }
-            let error = (root.error * t_per_tau).min(room);
-            crossings.push(Crossing { t, error, sense, part: root.part, certificate });
-            before = t;
-        } else if t.is_nan() {
+            crossing.error = smaller(crossing.error, room);
+            before = crossing.t;
+            crossings.push(crossing);
+        } else if crossing.t.is_nan() {
             crossings.truncate(start);
             return;
         } else {
             crossings.pop();
             before = crossings[start..].last().map_or(f64::NEG_INFINITY, |last| last.t);
         }
-        sense = match sense {
-            Sense::Enter => Sense::Leave,
-            Sense::Leave => Sense::Enter,
-            Sense::Touch => Sense::Touch,
-        };
+        sense = opposite(sense);
     }
+}
+
+/// What the next crossing does.
+#[inline]
+const fn opposite(sense: Sense) -> Sense {
+    match sense {
+        Sense::Enter => Sense::Leave,
+        Sense::Leave => Sense::Enter,
+        Sense::Touch => Sense::Touch,
+    }
+}
+
+/// The smaller one, `b` where `a` is not a number.
+#[inline]
+fn smaller(a: f64, b: f64) -> f64 {
+    if a < b { a } else { b }
+}
+
+/// A root as a crossing.
+///
+/// A hit time too large for a number (the direction is next to nothing) becomes the largest one.
+#[inline]
+fn crossing(root: Root, t_per_tau: f64, sense: Sense, certificate: Certificate) -> Crossing {
+    let t = (root.tau * t_per_tau).clamp(f64::MIN, f64::MAX);
+    Crossing { t, error: root.error * t_per_tau, sense, part: root.part, certificate }
 }

@@ -22,7 +22,7 @@
 //! **Source** Cyrus and Beck, Computers & Graphics 3 (1978); Haines, Graphics Gems II, "Fast ray–convex polyhedron
 //! intersection".
 
-use super::boundary::{Root, Roots};
+use super::boundary::Boundaries;
 use super::planes::{self, Clip};
 use super::solver::{self, Attempt, Call, Solver};
 use super::{Bounds, Crossing, GenericRay, Part, Primitive, outline, plane_table};
@@ -201,8 +201,8 @@ impl Solver for ConvexPolyhedron {
         clip.closest_call(ray, &self.planes)
     }
 
-    fn roots<A: Real>(&self, ray: &GenericRay<A>, clip: &Clip<A>) -> impl AsRef<[Root]> {
-        Roots::pair(clip.roots(ray, &self.planes))
+    fn roots<A: Real>(&self, ray: &GenericRay<A>, clip: &Clip<A>) -> impl Boundaries {
+        clip.roots(ray, &self.planes)
     }
 
     fn working<A: Real>(&self, ray: &GenericRay<A>, _: &Clip<A>) -> Vec<Entry> {

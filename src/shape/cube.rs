@@ -25,7 +25,7 @@
 //! **Source** Hill, Computer Graphics Using OpenGL, the generic cube; Williams et al., JGT 10(1), 2005, on the cases of
 //! zero and signed zero in c.
 
-use super::boundary::{Root, Roots};
+use super::boundary::{Boundaries, Root};
 use super::solver::{self, Attempt, Call, Solver};
 use super::{Bounds, Crossing, GenericRay, HalfSpace, Part, Primitive, plane_table};
 use crate::math::Real;
@@ -164,20 +164,22 @@ impl Solver for Cube {
             value: (leave.time - enter.time).to_f64(),
             doubt: 0.5 * ((leave.high - leave.low) + (enter.high - enter.low)).to_f64(),
             input_doubt: moved(enter) + moved(leave),
+            near: 0.5 * (enter.time + leave.time).to_f64(),
         };
         let side = Call {
             question: "Does the ray run between the faces that it does not approach?",
             value: beside.room,
             doubt: beside.doubt,
             input_doubt: f64::UNIT_ROUNDOFF * ray.origin_size[beside.axis],
+            near: order.near,
         };
         order.closer(side)
     }
 
     #[inline]
-    fn roots<A: Real>(&self, ray: &GenericRay<A>, passage: &Passage<A>) -> impl AsRef<[Root]> {
+    fn roots<A: Real>(&self, ray: &GenericRay<A>, passage: &Passage<A>) -> impl Boundaries {
         let Passage { enter, leave, .. } = passage;
-        Roots::pair(passage.hits.then(|| [Self::root(ray, enter.axis, true), Self::root(ray, leave.axis, false)]))
+        passage.hits.then(|| [Self::root(ray, enter.axis, true), Self::root(ray, leave.axis, false)])
     }
 
     fn working<A: Real>(&self, ray: &GenericRay<A>, _: &Passage<A>) -> Vec<Entry> {

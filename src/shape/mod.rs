@@ -21,11 +21,15 @@ mod solver;
 mod sphere;
 mod square;
 mod superellipsoid;
+mod superellipsoid_line;
+mod superellipsoid_mixed;
+mod superellipsoid_root;
 mod superellipsoid_search;
 mod tapered_cylinder;
 mod tapered_wall;
 #[cfg(test)]
 mod testing;
+pub mod textbook;
 mod torus;
 mod torus_quartic;
 mod torus_roots;

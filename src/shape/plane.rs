@@ -19,7 +19,7 @@
 //!
 //! **Source** Hill, Computer Graphics Using OpenGL, ray tracing, the generic plane.
 
-use super::boundary::{Root, Roots};
+use super::boundary::{Boundaries, Root};
 use super::solver::{self, Attempt, Call, Solver};
 use super::{Bounds, Crossing, GenericRay, Part, Primitive, plane_table};
 use crate::math::Real;
@@ -58,6 +58,7 @@ impl Solver for Plane {
             value: ray.direction[2].to_f64(),
             doubt: 4.0 * A::UNIT_ROUNDOFF * ray.direction_size[2],
             input_doubt: f64::UNIT_ROUNDOFF * ray.direction_size[2],
+            near: -(ray.origin[2] / ray.direction[2]).to_f64(),
         }
     }
 
@@ -65,11 +66,11 @@ impl Solver for Plane {
         if ray.direction[2] > A::ZERO { Sense::Leave } else { Sense::Enter }
     }
 
-    fn roots<A: Real>(&self, ray: &GenericRay<A>, time: &Option<A>) -> impl AsRef<[Root]> {
-        Roots::one(time.map(|tau| {
+    fn roots<A: Real>(&self, ray: &GenericRay<A>, time: &Option<A>) -> impl Boundaries {
+        time.map(|tau| {
             let tau = tau.to_f64();
             Root { tau, error: ray.root_error([0.0, 0.0, 1.0], tau), part: 0 }
-        }))
+        })
     }
 
     fn working<A: Real>(&self, ray: &GenericRay<A>, _: &Option<A>) -> Vec<Entry> {

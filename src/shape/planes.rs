@@ -139,7 +139,8 @@ impl<A: Real> Table<'_, A> {
     /// Keeps the closest decision on the side of a parallel plane.
     fn runs_beside(&mut self, value: f64, doubt: f64, input_doubt: f64) {
         let question = "Does the ray run beside the plane on its inside?";
-        let call = Call { question, value, doubt, input_doubt };
+        let near = self.clip.bounds().map_or(f64::NAN, |(enter, leave)| 0.5 * (enter.time + leave.time).to_f64());
+        let call = Call { question, value, doubt, input_doubt, near };
         self.clip.beside = Some(self.clip.beside.map_or(call, |other| other.closer(call)));
     }
 
@@ -180,7 +181,7 @@ impl<A: Real> Clip<A> {
     /// The closest decision: whether the ray enters before it leaves, or on which side of a parallel plane it runs.
     pub fn closest_call(&self, ray: &GenericRay<A>, planes: &[HalfSpace]) -> Call {
         let question = "Does the ray enter the last plane before it leaves the first?";
-        let never = Call { question, value: f64::INFINITY, doubt: 0.0, input_doubt: 0.0 };
+        let never = Call { question, value: f64::INFINITY, doubt: 0.0, input_doubt: 0.0, near: f64::NAN };
         let order = self.bounds().map_or(never, |(enter, leave)| {
             let half = |extreme: Extreme<A>| 0.5 * (extreme.high - extreme.low).to_f64();
             let moved = |extreme: Extreme<A>| input_error(ray, &planes[extreme.plane], extreme.time.to_f64());
@@ -189,6 +190,7 @@ impl<A: Real> Clip<A> {
                 value: (leave.time - enter.time).to_f64(),
                 doubt: half(enter) + half(leave),
                 input_doubt: moved(enter) + moved(leave),
+                near: 0.5 * (enter.time + leave.time).to_f64(),
             }
         });
         self.beside.map_or(order, |beside| beside.closer(order))

@@ -17,7 +17,7 @@
 //!
 //! **Accuracy** B² − A C loses digits with the square of the distance; A − m·m does not: its errors are those of S itself,
 //! about u |S| |c| in m, as if S stood at the foot of the perpendicular. Where these hide whether the ray touches, all is
-//! worked out again with 32 digits. One step of Newton's method on |S + c t|² = 1 removes what cancels in B. Grazing rays
+//! worked out again with 32 digits. What cancels in B is made good by a second step from the point at −B / A. Grazing rays
 //! set the bound: t moves by the error of the distance over the sine of the grazing angle.
 //!
 //! **Degenerate cases** A tangent touches in one point and has no hits.
@@ -25,7 +25,7 @@
 //! **Source** Haines, Günther, Akenine-Möller, "Precision improvements for ray/sphere intersection", Ray Tracing Gems
 //! (2019), ch. 7; Pharr, Jakob, Humphreys, Physically Based Rendering, 4th ed., § 6.8.
 
-use super::boundary::{Root, Roots};
+use super::boundary::{Boundaries, Root};
 use super::solver::{self, Attempt, Call, Solver};
 use super::{Bounds, Crossing, GenericRay, Part, Primitive, outline, report};
 use crate::math::{Real, cross, dot};
@@ -61,19 +61,16 @@ pub(super) struct Chord<A> {
 }
 
 impl<A: Real> Chord<A> {
-    /// Both roots, after one step of Newton's method on |S + c τ|² = 1, which removes what cancels in B.
+    /// −B / A and √D / A: the middle of the chord and half its length, in τ.
+    ///
+    /// What cancels in B is made good by a second step: the point at the first middle is near the origin, where nothing
+    /// cancels.
     #[inline]
-    fn roots(&self, ray: &GenericRay<A>) -> Option<[A; 2]> {
-        self.hits.then(|| {
-            let root = self.discriminant.sqrt();
-            let per_slope = A::from_f64(0.5) / root;
-            let [near, far] = [(-self.b - root) / self.a, (root - self.b) / self.a];
-            let excess = |tau: A| {
-                let p = ray.at(tau);
-                (dot(p, p) - A::ONE) * per_slope
-            };
-            [near + excess(near), far - excess(far)]
-        })
+    fn middle_and_half(&self, ray: &GenericRay<A>) -> [A; 2] {
+        let per_a = A::ONE / self.a;
+        let first = -(self.b * per_a);
+        let rest = dot(ray.at(first), ray.direction);
+        [first - rest * per_a, self.discriminant.sqrt() * per_a]
     }
 }
 
@@ -87,7 +84,9 @@ impl Solver for Sphere {
         let moment = cross(ray.origin, ray.direction);
         let square = dot(moment, moment);
         let discriminant = a - square;
-        let doubt = 4.0 * A::UNIT_ROUNDOFF * (2.0 * moved(ray, moment) + square.to_f64() + a.to_f64());
+        // Each of the three is off by at most four roundings of the products that it was added up from.
+        let size = sum(moment.map(|m| m.abs().to_f64())) * sum(ray.origin_size) * sum(ray.direction_size);
+        let doubt = 4.0 * A::UNIT_ROUNDOFF * (2.0 * size + square.to_f64() + a.to_f64());
         let decided = discriminant.abs().to_f64() > doubt;
         let hits = discriminant > A::ZERO && (decided || !A::DOUBT_IS_ZERO);
         Attempt { found: Chord { a, b, moment, discriminant, doubt, hits }, decided }
@@ -99,19 +98,22 @@ impl Solver for Sphere {
             value: chord.discriminant.to_f64(),
             doubt: chord.doubt,
             input_doubt: 2.0 * f64::UNIT_ROUNDOFF * moved(ray, chord.moment),
+            near: -(chord.b / chord.a).to_f64(),
         }
     }
 
     #[inline]
-    fn roots<A: Real>(&self, ray: &GenericRay<A>, chord: &Chord<A>) -> impl AsRef<[Root]> {
-        // ∇F · c / 2 is √D, and no coordinate on the sphere is above 1.
-        let per_slope = 1.0 / chord.discriminant.to_f64().sqrt();
-        let (start, course) = (sum(ray.origin_size), sum(ray.direction_size));
-        let root = |tau: A| {
-            let tau = tau.to_f64();
-            Root { tau, error: ray.error_of_time((start + tau.abs() * course) * per_slope, tau), part: 0 }
-        };
-        Roots::pair(chord.roots(ray).map(|roots| roots.map(root)))
+    fn roots<A: Real>(&self, ray: &GenericRay<A>, chord: &Chord<A>) -> impl Boundaries {
+        chord.hits.then(|| {
+            let [middle, half] = chord.middle_and_half(ray);
+            // ∇F · c / 2 is √D, and no coordinate on the sphere is above 1.
+            let per_slope = 1.0 / (half * chord.a).to_f64();
+            let (start, course) = (sum(ray.origin_size) * per_slope, sum(ray.direction_size) * per_slope);
+            [middle - half, middle + half].map(|tau| {
+                let tau = tau.to_f64();
+                Root { tau, error: ray.error_of_time(start + tau.abs() * course, tau), part: 0 }
+            })
+        })
     }
 
     fn working<A: Real>(&self, ray: &GenericRay<A>, chord: &Chord<A>) -> Vec<Entry> {
@@ -193,8 +195,8 @@ fn working<A: Real>(ray: &GenericRay<A>, chord: &Chord<A>) -> Entry {
     let c = report::measured(dot(ray.origin, ray.origin) - A::ONE, 1.0);
     let moment = report::measured_vector(chord.moment, per_t);
     let discriminant = report::measured(chord.discriminant, per_t * per_t);
-    let roots = chord.roots(ray).into_iter().flatten();
-    let roots: Vec<_> = roots.map(|tau| report::measured(tau, scale)).collect();
+    let ends = chord.hits.then(|| chord.middle_and_half(ray)).map(|[middle, half]| [middle - half, middle + half]);
+    let roots: Vec<_> = ends.into_iter().flatten().map(|tau| report::measured(tau, scale)).collect();
     let bindings = [
         ("S", report::start(ray)),
         ("c", report::course(ray)),

@@ -22,7 +22,7 @@
 //!
 //! **Source** Hill, Computer Graphics Using OpenGL, hit() of the generic square.
 
-use super::boundary::{Root, Roots};
+use super::boundary::{Boundaries, Root};
 use super::solver::{self, Attempt, Call, Solver};
 use super::{Bounds, Crossing, GenericRay, Part, Primitive, plane_table, report};
 use crate::math::Real;
@@ -66,6 +66,7 @@ fn room<A: Real>(ray: &GenericRay<A>) -> Call {
             value: (c_z.abs() - moment).to_f64(),
             doubt: 8.0 * A::UNIT_ROUNDOFF * size,
             input_doubt: 2.0 * f64::UNIT_ROUNDOFF * size,
+            near: -(s_z / c_z).to_f64(),
         }
     };
     let (x, y) = (side(0), side(1));
@@ -102,11 +103,11 @@ impl Solver for Square {
         Sense::Touch
     }
 
-    fn roots<A: Real>(&self, ray: &GenericRay<A>, meeting: &Meeting<A>) -> impl AsRef<[Root]> {
-        Roots::one(meeting.within.then(|| {
+    fn roots<A: Real>(&self, ray: &GenericRay<A>, meeting: &Meeting<A>) -> impl Boundaries {
+        meeting.within.then(|| {
             let tau = meeting.tau.to_f64();
             Root { tau, error: ray.root_error([0.0, 0.0, 1.0], tau), part: 0 }
-        }))
+        })
     }
 
     fn working<A: Real>(&self, ray: &GenericRay<A>, _: &Meeting<A>) -> Vec<Entry> {

@@ -29,9 +29,9 @@
 //!
 //! **Source** Hill, Computer Graphics Using OpenGL, the generic tapered cylinder; Numerical Recipes § 5.6 for the roots.
 
-use super::boundary::{Root, Roots};
+use super::boundary::{Boundaries, Root};
 use super::solver::{self, Attempt, Call, Solver};
-use super::tapered_wall::{Sensitivity, Wall};
+use super::tapered_wall::Wall;
 use super::{Bounds, Crossing, GenericRay, HalfSpace, Part, Primitive, outline, plane_table, report};
 use crate::math::Real;
 use crate::record::{Candidate, Entry, Recorder, Sense, Value, What, format_number};
@@ -44,22 +44,17 @@ const CAP: Part = 2;
 /// Radius 1 at z = 0, radius s at z = 1, closed by discs.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TaperedCylinder {
-    s: f64,
+    pub(super) s: f64,
 }
 
 /// What the solver found, in τ.
 pub(super) struct Solution<A> {
     wall: Wall<A>,
-    sensitivity: Sensitivity,
-    /// Base and cap times; none where the ray is parallel to them.
-    discs: Option<[A; 2]>,
     /// The latest entering time.
     enter: End<A>,
     /// The earliest leaving time.
     leave: End<A>,
     hits: bool,
-    /// On which side of the nearer disc a ray runs that is parallel to them.
-    beside: Option<Call>,
 }
 
 /// The latest entering or the earliest leaving time.
@@ -117,15 +112,23 @@ impl TaperedCylinder {
 
     /// How far the time of a hit with a part moves when S and c are off by one part in one.
     #[inline]
-    fn moved<A: Real>(ray: &GenericRay<A>, wall: &Sensitivity, tau: f64, part: Part) -> f64 {
+    fn moved<A: Real>(ray: &GenericRay<A>, wall: &Wall<A>, tau: f64, part: Part) -> f64 {
         if part == WALL { wall.moved(tau) } else { ray.sway(tau)[2] / ray.direction[2].abs().to_f64() }
     }
 
-    /// A time at which a part is met, with what four roundings do to it.
+    /// A time at which a part is met, with what eight roundings do to it.
     #[inline]
-    fn end<A: Real>(ray: &GenericRay<A>, wall: &Sensitivity, tau: A, part: Part) -> End<A> {
+    fn end<A: Real>(ray: &GenericRay<A>, wall: &Wall<A>, tau: A, part: Part) -> End<A> {
         let plain = tau.to_f64();
-        End::new(tau, 4.0 * A::UNIT_ROUNDOFF * (Self::moved(ray, wall, plain, part) + plain.abs()), part)
+        End::new(tau, 8.0 * A::UNIT_ROUNDOFF * (Self::moved(ray, wall, plain, part) + plain.abs()), part)
+    }
+
+    /// The times of base and cap; none where the ray is parallel to them, as far as can be told.
+    #[inline]
+    fn discs<A: Real>(ray: &GenericRay<A>) -> Option<[A; 2]> {
+        let (s_z, c_z) = (ray.origin[2], ray.direction[2]);
+        let parallel = c_z.abs().to_f64() <= 4.0 * A::UNIT_ROUNDOFF * ray.direction_size[2];
+        (!parallel).then(|| [-s_z / c_z, (A::ONE - s_z) / c_z])
     }
 }
 
@@ -136,66 +139,64 @@ impl Solver for TaperedCylinder {
     fn solve<A: Real>(&self, ray: &GenericRay<A>) -> Attempt<Solution<A>> {
         let infinity = A::from_f64(f64::INFINITY);
         let wall = Wall::new(self.s, ray);
-        let sensitivity = wall.sensitivity(ray);
-        let (s_z, c_z) = (ray.origin[2], ray.direction[2]);
-        let (mut enter, mut leave) = (End::new(-infinity, 0.0, WALL), End::new(infinity, 0.0, WALL));
+        let (enter, leave) = (End::new(-infinity, 0.0, WALL), End::new(infinity, 0.0, WALL));
+        let mut found = Solution { wall, enter, leave, hits: false };
         let mut decided = wall.is_beyond_doubt();
-        let (mut discs, mut beside, mut outside) = (None, None, false);
-        if c_z.abs().to_f64() <= 4.0 * A::UNIT_ROUNDOFF * ray.direction_size[2] {
-            let call = height(ray);
-            // What is zero only by cancellation is not known to be zero.
-            decided &= call.is_beyond_doubt() && ray.direction_size[2] == 0.0;
-            outside = call.value < 0.0 && (call.is_beyond_doubt() || !A::DOUBT_IS_ZERO);
-            beside = Some(call);
-        } else {
-            let [base, cap] = [-s_z / c_z, (A::ONE - s_z) / c_z];
-            let (base_end, cap_end) =
-                (Self::end(ray, &sensitivity, base, BASE), Self::end(ray, &sensitivity, cap, CAP));
-            (enter, leave) = if c_z > A::ZERO { (base_end, cap_end) } else { (cap_end, base_end) };
-            discs = Some([base, cap]);
-        }
-        let mut misses = outside;
         if wall.is_level() {
-            misses |= !wall.holds_all();
-        } else if let Some([first, second]) = wall.times(ray) {
-            enter = enter.later(Self::end(ray, &sensitivity, first, WALL));
-            leave = leave.earlier(Self::end(ray, &sensitivity, second, WALL));
+            if !wall.holds_all() {
+                return Attempt { found, decided };
+            }
+        } else if let Some([first, second]) = wall.times() {
+            found.enter = Self::end(ray, &wall, first, WALL);
+            found.leave = Self::end(ray, &wall, second, WALL);
         } else {
-            misses = true;
+            return Attempt { found, decided };
         }
-        let surely = enter.high < leave.low;
-        let between = if A::DOUBT_IS_ZERO { surely } else { enter.tau < leave.tau };
-        decided &= misses || surely || enter.low > leave.high;
-        Attempt {
-            found: Solution { wall, sensitivity, discs, enter, leave, hits: between && !misses, beside },
-            decided,
+        if let Some([base, cap]) = Self::discs(ray) {
+            let (base, cap) = (Self::end(ray, &wall, base, BASE), Self::end(ray, &wall, cap, CAP));
+            let upward = ray.direction[2] > A::ZERO;
+            let (enter, leave) = if upward { (base, cap) } else { (cap, base) };
+            (found.enter, found.leave) = (enter.later(found.enter), leave.earlier(found.leave));
+        } else {
+            let height = height(ray);
+            // What is zero only by cancellation is not known to be zero.
+            decided &= height.is_beyond_doubt() && ray.direction_size[2] == 0.0;
+            if height.value < 0.0 && (height.is_beyond_doubt() || !A::DOUBT_IS_ZERO) {
+                return Attempt { found, decided };
+            }
         }
+        let surely = found.enter.high < found.leave.low;
+        decided &= surely || found.enter.low > found.leave.high;
+        found.hits = if A::DOUBT_IS_ZERO { surely } else { found.enter.tau < found.leave.tau };
+        Attempt { found, decided }
     }
 
     fn closest_call<A: Real>(&self, ray: &GenericRay<A>, solution: &Solution<A>) -> Call {
-        let Solution { wall, sensitivity, enter, leave, beside, .. } = solution;
+        let Solution { wall, enter, leave, .. } = solution;
         let moved = |end: &End<A>| {
             let tau = end.tau.to_f64();
-            f64::UNIT_ROUNDOFF * Self::moved(ray, sensitivity, tau, end.part)
+            f64::UNIT_ROUNDOFF * Self::moved(ray, wall, tau, end.part)
         };
         let order = Call {
             question: "Does the ray enter the last part before it leaves the first?",
             value: (leave.tau - enter.tau).to_f64(),
             doubt: 0.5 * ((leave.high - leave.low) + (enter.high - enter.low)).to_f64(),
             input_doubt: moved(enter) + moved(leave),
+            near: 0.5 * (enter.tau + leave.tau).to_f64(),
         };
-        let calls = [(!wall.is_level() && wall.times(ray).is_some()).then_some(order), *beside];
-        calls.into_iter().flatten().fold(wall.call(), Call::closer)
+        let met = wall.is_level() || wall.times().is_some();
+        let beside = Self::discs(ray).is_none().then(|| height(ray));
+        [met.then_some(order), beside].into_iter().flatten().fold(wall.call(), Call::closer)
     }
 
     #[inline]
-    fn roots<A: Real>(&self, ray: &GenericRay<A>, solution: &Solution<A>) -> impl AsRef<[Root]> {
+    fn roots<A: Real>(&self, ray: &GenericRay<A>, solution: &Solution<A>) -> impl Boundaries {
         let root = |end: &End<A>| {
-            let tau = end.tau.to_f64();
-            let moved = Self::moved(ray, &solution.sensitivity, tau, end.part);
+            let tau = if end.part == WALL { solution.wall.polished(ray, end.tau) } else { end.tau }.to_f64();
+            let moved = Self::moved(ray, &solution.wall, tau, end.part);
             Root { tau, error: ray.error_of_time(moved, tau), part: end.part }
         };
-        Roots::pair(solution.hits.then(|| [root(&solution.enter), root(&solution.leave)]))
+        solution.hits.then(|| [root(&solution.enter), root(&solution.leave)])
     }
 
     fn working<A: Real>(&self, ray: &GenericRay<A>, solution: &Solution<A>) -> Vec<Entry> {
@@ -209,8 +210,9 @@ impl Solver for TaperedCylinder {
         let (base, cap) = if upward { (enters, leaves) } else { (leaves, enters) };
         let quadratic = &solution.wall.quadratic;
         let senses = if quadratic.a < A::ZERO { [leaves, enters] } else { [enters, leaves] };
-        let wall = solution.wall.roots(ray).into_iter().flatten().zip(senses).map(|(tau, sense)| (tau, WALL, sense));
-        let discs = solution.discs.into_iter().flat_map(|[b, c]| [(b, BASE, base), (c, CAP, cap)]);
+        let polished = solution.wall.roots().into_iter().flatten().map(|tau| solution.wall.polished(ray, tau));
+        let wall = polished.zip(senses).map(|(tau, sense)| (tau, WALL, sense));
+        let discs = Self::discs(ray).into_iter().flat_map(|[b, c]| [(b, BASE, base), (c, CAP, cap)]);
         wall.chain(discs)
             .map(|(tau, part, sense)| (tau.to_f64(), part, sense))
             .filter(|&(tau, part, _)| {
@@ -230,6 +232,7 @@ fn height<A: Real>(ray: &GenericRay<A>) -> Call {
         value: z.min(A::ONE - z).to_f64(),
         doubt: 4.0 * A::UNIT_ROUNDOFF * ray.origin_size[2],
         input_doubt: f64::UNIT_ROUNDOFF * ray.origin_size[2],
+        near: ray.foot().to_f64(),
     }
 }
 
@@ -313,7 +316,8 @@ impl TaperedCylinder {
         let discriminant = measured(quadratic.discriminant, per_t * per_t);
         let (w, d) = (measured(wall.w, 1.0), measured(wall.d, per_t));
         let [p, q, r] = wall.minors.map(|minor| measured(minor, per_t));
-        let roots: Vec<_> = wall.roots(ray).into_iter().flatten().map(|tau| measured(tau, scale)).collect();
+        let polished = wall.roots().into_iter().flatten().map(|tau| wall.polished(ray, tau));
+        let roots: Vec<_> = polished.map(|tau| measured(tau, scale)).collect();
         let roots: Vec<_> = roots.into_iter().filter(|root| root.value.is_finite()).collect();
         let ([x, y, z], [c_x, c_y, c_z]) = (ray.start(), ray.course());
         let number = Value::Number;

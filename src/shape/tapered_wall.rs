@@ -7,8 +7,6 @@ use crate::math::{Quadratic, Real};
 /// The double cone and a ray.
 #[derive(Clone, Copy)]
 pub(super) struct Wall<A> {
-    /// s − 1.
-    pub slope: A,
     /// w at S.
     pub w: A,
     /// d = (s − 1) c_z.
@@ -17,14 +15,11 @@ pub(super) struct Wall<A> {
     pub minors: [A; 3],
     /// F along the ray, with its discriminant, 0 where that cannot be told from 0 with all digits.
     pub quadratic: Quadratic<A>,
-    /// How far p, q and r are off when S and c are off by one part in one.
-    sway: [f64; 3],
     /// Bound on the rounding error of the discriminant.
     doubt: f64,
-    /// The ray is parallel to a side of the cone, as far as can be told.
-    parallel: bool,
-    /// Bound on the rounding error of C.
-    c_doubt: f64,
+    /// The sums of the sizes of S and of c, with z weighed by |s − 1|.
+    start: f64,
+    course: f64,
 }
 
 impl<A: Real> Wall<A> {
@@ -41,28 +36,17 @@ impl<A: Real> Wall<A> {
         let [p, q, r] = minors;
         let exact = p * p + q * q - r * r;
 
-        let ([os_x, os_y, os_z], [ds_x, ds_y, ds_z]) = (ray.origin_size, ray.direction_size);
         let steep = slope.abs().to_f64();
-        let (w_size, d_size) = (1.0 + steep * os_z, steep * ds_z);
-        let sway = [os_x * d_size + w_size * ds_x, os_y * d_size + w_size * ds_y, os_x * ds_y + os_y * ds_x];
-        let rounding = 4.0 * A::UNIT_ROUNDOFF;
-        let sizes = minors.map(|minor| minor.abs().to_f64());
-        let doubt = (0..3)
-            .map(|i| (2.0 * sizes[i] + rounding * sway[i]) * rounding * sway[i] + rounding * sizes[i] * sizes[i])
-            .sum::<f64>();
+        let sum = |[x, y, z]: [f64; 3]| x + y + steep * z;
+        let (start, course) = (1.0 + sum(ray.origin_size), sum(ray.direction_size));
+        let [p, q, r] = minors.map(|minor| minor.abs().to_f64());
+        // Each minor is off by at most four roundings of the products of S and c.
+        let (size, off) = (p + q + r, 4.0 * A::UNIT_ROUNDOFF * start * course);
+        let doubt = (2.0 * size + 3.0 * off) * off + 4.0 * A::UNIT_ROUNDOFF * size * size;
         let touches = A::DOUBT_IS_ZERO && exact.abs().to_f64() <= doubt;
         let discriminant = if touches { A::ZERO } else { exact };
-        Self {
-            slope,
-            w,
-            d,
-            minors,
-            quadratic: Quadratic::with_discriminant(a, b, c, discriminant),
-            sway,
-            doubt,
-            parallel: a.abs().to_f64() <= 2.0 * rounding * (ds_x * ds_x + ds_y * ds_y + d_size * d_size),
-            c_doubt: 2.0 * rounding * (os_x * os_x + os_y * os_y + w_size * w_size),
-        }
+        let quadratic = Quadratic::with_discriminant(a, b, c, discriminant);
+        Self { w, d, minors, quadratic, doubt, start, course }
     }
 
     /// Whether the line meets the double cone.
@@ -73,11 +57,12 @@ impl<A: Real> Wall<A> {
             question: "Does the line meet the wall, D > 0?",
             value: self.quadratic.discriminant.to_f64(),
             doubt: self.doubt,
-            input_doubt: 2.0 * f64::UNIT_ROUNDOFF * (p * self.sway[0] + q * self.sway[1] + r * self.sway[2]),
+            input_doubt: 2.0 * f64::UNIT_ROUNDOFF * (p + q + r) * self.start * self.course,
+            near: -(self.quadratic.b / self.quadratic.a).to_f64(),
         }
     }
 
-    /// Whether the numbers of the quadratic leave no other answer: D is not near zero, nor A where D does not tell.
+    /// Whether the sign of the discriminant is known.
     #[inline]
     pub fn is_beyond_doubt(&self) -> bool {
         self.doubt == 0.0 || self.quadratic.discriminant.abs().to_f64() > self.doubt
@@ -86,33 +71,19 @@ impl<A: Real> Wall<A> {
     /// Whether F is the same all along the ray, as far as can be told: it runs inside the wall, or in it, or outside.
     #[inline]
     pub fn is_level(&self) -> bool {
-        self.parallel && self.quadratic.discriminant == A::ZERO
+        let parallel = 8.0 * A::UNIT_ROUNDOFF * self.course * self.course;
+        self.quadratic.discriminant == A::ZERO && self.quadratic.a.abs().to_f64() <= parallel
     }
 
     /// Whether a ray along which F is the same runs inside.
     pub fn holds_all(&self) -> bool {
-        self.quadratic.c.to_f64() < -self.c_doubt
+        self.quadratic.c.to_f64() < -8.0 * A::UNIT_ROUNDOFF * self.start * self.start
     }
 
-    /// Both times at which the line meets the double cone, ascending, after a step of Newton's method on F; infinite where
-    /// A = 0. None for a miss.
+    /// Both times at which the line meets the double cone, ascending; infinite where A = 0. None for a miss.
     #[inline]
-    pub fn roots(&self, ray: &GenericRay<A>) -> Option<[A; 2]> {
-        let [first, second] = self.quadratic.roots()?;
-        // Half the slope of F at the first root is −√D, at the second √D, the other way round where A < 0.
-        let root = self.quadratic.discriminant.sqrt();
-        let rising = if self.quadratic.a < A::ZERO { -root } else { root };
-        let per_slope = A::from_f64(0.5) / rising;
-        Some([self.polished(ray, first, -per_slope), self.polished(ray, second, per_slope)])
-    }
-
-    #[inline]
-    fn polished(&self, ray: &GenericRay<A>, tau: A, per_slope: A) -> A {
-        let [x, y, _] = ray.at(tau);
-        let w = self.w + self.d * tau;
-        let step = (x * x + y * y - w * w) * per_slope;
-        // At the apex there is no slope, and at infinity no F.
-        if step.is_finite() { tau - step } else { tau }
+    pub fn roots(&self) -> Option<[A; 2]> {
+        self.quadratic.roots()
     }
 
     /// Where the ray goes into the part with w > 0, and where it comes out; infinite where it never does. None for a miss.
@@ -120,12 +91,12 @@ impl<A: Real> Wall<A> {
     /// A < 0: the ray is steeper than the side, and meets each nappe once. That with w > 0 lies ahead where w grows along
     /// the ray, and behind where it shrinks.
     #[inline]
-    pub fn times(&self, ray: &GenericRay<A>) -> Option<[A; 2]> {
+    pub fn times(&self) -> Option<[A; 2]> {
         let steep = self.quadratic.a < A::ZERO;
         if !steep && self.quadratic.discriminant <= A::ZERO {
             return None;
         }
-        let [first, second] = self.roots(ray)?;
+        let [first, second] = self.roots()?;
         let infinity = A::from_f64(f64::INFINITY);
         Some(match (steep, self.d > A::ZERO) {
             (false, _) => [first, second],
@@ -134,36 +105,22 @@ impl<A: Real> Wall<A> {
         })
     }
 
-    /// What bounds the errors of wall hits.
+    /// A root after a step of Newton's method on F, which removes what cancels in B and C.
     #[inline]
-    pub fn sensitivity(&self, ray: &GenericRay<A>) -> Sensitivity {
-        let steep = self.slope.abs().to_f64();
-        let sum = |[x, y, z]: [f64; 3]| x + y + steep * z;
-        Sensitivity {
-            start: sum(ray.origin_size),
-            course: sum(ray.direction_size),
-            per_slope: 1.0 / self.quadratic.discriminant.to_f64().sqrt(),
-            w: self.w.to_f64(),
-            d: self.d.to_f64(),
-        }
+    pub fn polished(&self, ray: &GenericRay<A>, tau: A) -> A {
+        let [x, y, _] = ray.at(tau);
+        let w = self.w + self.d * tau;
+        let half_slope = self.quadratic.a * tau + self.quadratic.b;
+        let step = A::from_f64(0.5) * (x * x + y * y - w * w) / half_slope;
+        // At the apex there is no slope, and at infinity no F.
+        if step.is_finite() { tau - step } else { tau }
     }
-}
 
-/// How the time of a wall hit moves when S and c do.
-#[derive(Clone, Copy)]
-pub(super) struct Sensitivity {
-    start: f64,
-    course: f64,
-    per_slope: f64,
-    w: f64,
-    d: f64,
-}
-
-impl Sensitivity {
-    /// How far it moves when S and c are off by one part in one: δF over the slope of F, which is √D.
+    /// How far the time of a wall hit moves when S and c are off by one part in one: δF over the slope of F.
     #[inline]
     pub fn moved(&self, tau: f64) -> f64 {
-        // On the wall neither |x| nor |y| is more than w.
-        (self.w + tau * self.d).abs() * (self.start + tau.abs() * self.course) * self.per_slope
+        // On the wall neither |x| nor |y| is more than w, and the slope of F is 2 √D.
+        let w = (self.w.to_f64() + tau * self.d.to_f64()).abs();
+        w * (self.start + tau.abs() * self.course) / self.quadratic.discriminant.to_f64().sqrt()
     }
 }

@@ -37,7 +37,7 @@ use std::f64::consts::{FRAC_PI_4, TAU};
 /// A tube of radius 1 about the circle of radius d in the plane z = 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Torus {
-    d: f64,
+    pub(super) d: f64,
 }
 
 /// What is known of a ray and a torus.

@@ -87,7 +87,7 @@ fn settle<A: Real>(quartic: &Quartic<A>, bracket: &Bracket<A>, start: A) -> (Pla
     let mut place = Place::new(quartic, delta);
     let entering = bracket.outward < A::ZERO;
     // So near to the surface F is nothing but rounding, and the next step the last that helps.
-    let noise = 16.0 * A::UNIT_ROUNDOFF * (quartic.d.to_f64() + 1.0);
+    let noise = A::UNIT_ROUNDOFF * (quartic.d.to_f64() + 1.0);
     for _ in 0..MOST_STEPS {
         if (place.value < A::ZERO) == entering {
             high = delta;
