@@ -24,7 +24,7 @@
 //!
 //! **Source** Hill, Computer Graphics Using OpenGL, the generic torus; Yuksel, HPG 2022, for the roots.
 
-use super::boundary::{Root, Roots};
+use super::boundary::{Boundaries, Roots};
 use super::solver::{self, Attempt, Call, Solver};
 use super::torus_quartic::{Line, Quartic, Turn, Turns};
 use super::torus_roots;
@@ -70,6 +70,7 @@ impl Torus {
             value: (line.square - A::from_f64(self.d + 1.0) * A::from_f64(self.d + 1.0)).to_f64(),
             doubt: 4.0 * A::UNIT_ROUNDOFF * (moved + line.square.to_f64() + reach),
             input_doubt: f64::UNIT_ROUNDOFF * (moved + 2.0 * self.d * (self.d + 1.0)),
+            near: line.foot.to_f64(),
         }
     }
 
@@ -90,6 +91,7 @@ impl Torus {
             value: near.to_f64(),
             doubt,
             input_doubt: f64::UNIT_ROUNDOFF * moved,
+            near: quartic.tau(turn.at).to_f64(),
         }
     }
 }
@@ -123,21 +125,13 @@ impl Solver for Torus {
     }
 
     #[inline]
-    fn roots<A: Real>(&self, ray: &GenericRay<A>, found: &Found<A>) -> impl AsRef<[Root]> {
-        let mut roots = Roots::<4>::new();
-        if let Found::Near(quartic, turns) = found {
-            let (brackets, count) = turns.brackets(quartic.end);
-            for i in 0..count {
-                let bracket = &brackets[if quartic.turned { count - 1 - i } else { i }];
-                roots.push(torus_roots::crossing(ray, quartic, turns.slope, bracket));
-            }
-        }
-        roots
+    fn roots<A: Real>(&self, ray: &GenericRay<A>, found: &Found<A>) -> impl Boundaries {
+        boundaries(ray, found)
     }
 
     fn working<A: Real>(&self, ray: &GenericRay<A>, found: &Found<A>) -> Vec<Entry> {
         let Found::Near(quartic, turns) = found else { return Vec::new() };
-        let roots = self.roots(ray, found);
+        let roots = boundaries(ray, found);
         let hidden = hidden_times(quartic, turns);
         vec![self.entry(ray, quartic, roots.as_ref().iter().map(|root| root.tau).chain(hidden).collect())]
     }
@@ -152,6 +146,20 @@ impl Solver for Torus {
             .map(|(tau, sense)| report::rejected(self, ray, (tau, 0, sense), reason.to_owned()))
             .collect()
     }
+}
+
+/// The places where the ray crosses the surface, τ ascending.
+#[inline]
+fn boundaries<A: Real>(ray: &GenericRay<A>, found: &Found<A>) -> Roots<4> {
+    let mut roots = Roots::<4>::new();
+    if let Found::Near(quartic, turns) = found {
+        let (brackets, count) = turns.brackets(quartic.end);
+        for i in 0..count {
+            let bracket = &brackets[if quartic.turned { count - 1 - i } else { i }];
+            roots.push(torus_roots::crossing(ray, quartic, turns.slope, bracket));
+        }
+    }
+    roots
 }
 
 /// The roots of the quartic that are no boundaries, τ ascending.
@@ -417,8 +425,8 @@ mod tests {
             let ray = GenericRay::<f64>::new(origin, along);
             let (fast, sure) = (torus(d).solve(&ray), torus(d).solve(&ray.widen()));
             if fast.decided {
-                let fast_roots = torus(d).roots(&ray, &fast.found).as_ref().to_vec();
-                let sure_roots = torus(d).roots(&ray.widen(), &sure.found).as_ref().to_vec();
+                let fast_roots = boundaries(&ray, &fast.found).as_ref().to_vec();
+                let sure_roots = boundaries(&ray.widen(), &sure.found).as_ref().to_vec();
                 prop_assert_eq!(fast_roots.len(), sure_roots.len());
                 for (a, b) in fast_roots.iter().zip(&sure_roots) {
                     prop_assert!((a.tau - b.tau).abs() <= a.error, "{:?} {:?}", a, b);

@@ -139,14 +139,21 @@ impl<A: Real> Quartic<A> {
     /// Finds the turning points, to as many digits as it takes to know the signs of G there.
     #[inline]
     pub fn turns(&self) -> Turns<A> {
-        let mut y = A::from_f64(rough_root(self.half_p.to_f64(), self.quarter_q.to_f64()));
-        let mut turns = self.turns_from(y);
+        let y = self.improved(A::from_f64(rough_root(self.half_p.to_f64(), self.quarter_q.to_f64())));
+        let turns = self.turns_from(y);
+        if turns.sure { turns } else { self.refined(y, turns) }
+    }
+
+    /// The turning points with ever more digits.
+    #[cold]
+    #[inline(never)]
+    fn refined(&self, mut y: A, mut turns: Turns<A>) -> Turns<A> {
         for _ in 0..MOST_STEPS {
-            y = self.improved(y);
-            turns = self.turns_from(y);
             if turns.sure || turns.doubt <= 2.0 * self.doubt {
                 break;
             }
+            y = self.improved(y);
+            turns = self.turns_from(y);
         }
         turns
     }
