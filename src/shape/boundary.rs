@@ -77,6 +77,13 @@ impl<const N: usize> AsRef<[Root]> for Roots<N> {
     }
 }
 
+impl<const N: usize> Boundaries for Roots<N> {
+    #[inline]
+    fn append(self, first: Sense, t_per_tau: f64, certificate: Certificate, crossings: &mut Vec<Crossing>) {
+        append_alternating(self.as_ref(), first, t_per_tau, certificate, crossings);
+    }
+}
+
 impl<const N: usize> Boundaries for &Roots<N> {
     fn append(self, first: Sense, t_per_tau: f64, certificate: Certificate, crossings: &mut Vec<Crossing>) {
         append_alternating(self.as_ref(), first, t_per_tau, certificate, crossings);

@@ -31,6 +31,8 @@ mod tapered_wall;
 mod testing;
 pub mod textbook;
 mod torus;
+mod torus_quartic;
+mod torus_roots;
 
 pub use convex_polyhedron::{ConvexPolyhedron, HalfSpace};
 pub use cube::Cube;
