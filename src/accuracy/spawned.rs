@@ -5,7 +5,7 @@
 //! within a window about t = 0 that follows from the rounding of the hit point: w = 4 (e |n·d| + 16 ε |P|) / |n·d′|, for e the
 //! bound on the error of the hit time, d and d′ the unit directions before and after. Every boundary behind the window has to count,
 //! and nothing within it. Where another boundary comes closer than 4 w, or the window holds more than one, the line
-//! says nothing about the departure: such rays are counted as not judged.
+//! says nothing about the departure: such rays are counted as not judged, unless they lose account of whether they are inside.
 
 use super::random::Random;
 use crate::csg::{Boundary, Solid};
@@ -263,14 +263,19 @@ fn judged(
     let window = 4.0 * off / normal.dot(spawned.direction).abs();
     let within = |(boundary, _): &&(Boundary, Sense)| boundary.t.abs() <= window;
     let unclear = exact.iter().any(|(b, _)| b.t.abs() > window && b.t.abs() <= 4.0 * window);
-    if !window.is_finite() || unclear || exact.iter().filter(within).count() > 1 {
+    let unclear = !window.is_finite() || unclear || exact.iter().filter(within).count() > 1;
+    // Whatever the window holds: a ray that goes in comes out next, and one that goes out may only go in.
+    let goes_in = normal.dot(spawned.direction) <= 0.0;
+    let keeps_account = surface.sense == Sense::Touch
+        || counted.first().map_or(!goes_in || exact.is_empty(), |(_, sense)| (*sense == Sense::Leave) == goes_in);
+    if unclear && keeps_account {
         return Outcome::NotJudged;
     }
     let self_hit = counted.iter().any(|(boundary, _)| boundary.t <= window);
     let senses = |list: &[(Boundary, Sense)]| -> Vec<Sense> {
         list.iter().filter(|(boundary, _)| boundary.t > window).map(|(_, sense)| *sense).collect()
     };
-    if !self_hit && senses(counted) == senses(exact) {
+    if !unclear && !self_hit && senses(counted) == senses(exact) {
         return Outcome::Right;
     }
     let times = |list: &[(Boundary, Sense)]| list.iter().map(|(boundary, _)| boundary.t).collect();

@@ -14,6 +14,8 @@ mod stability_plots;
 mod stats;
 mod trace;
 
+pub use probe::answers;
+
 use clap::{Parser, Subcommand};
 use std::process::ExitCode;
 

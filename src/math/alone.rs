@@ -86,6 +86,10 @@ impl<A: Real> Real for Alone<A> {
         Self(self.0.powf(exponent.0))
     }
 
+    fn power(self, exponent: Self) -> Self {
+        Self(self.0.power(exponent.0))
+    }
+
     fn difference_of_products(a: Self, b: Self, c: Self, d: Self) -> Self {
         Self(A::difference_of_products(a.0, b.0, c.0, d.0))
     }

@@ -2,6 +2,7 @@
 
 mod alone;
 mod double_double;
+mod elementary;
 mod polynomial;
 mod quadratic;
 mod range;
@@ -11,6 +12,7 @@ mod wide_map;
 
 pub use alone::Alone;
 pub use double_double::DoubleDouble;
+pub use elementary::{exp, ln};
 pub use polynomial::{Quartic, Separators, evaluate, root_between};
 pub use quadratic::Quadratic;
 pub use range::Range;

@@ -56,6 +56,11 @@ pub trait Real:
     /// A non-negative number to a real power.
     #[must_use]
     fn powf(self, exponent: Self) -> Self;
+    /// A non-negative number to a real power, fast: with an error of about u (1 + 2 |ln r|) r for the result r.
+    #[must_use]
+    fn power(self, exponent: Self) -> Self {
+        self.powf(exponent)
+    }
     /// a·b − c·d with an error of at most 2 ulp of the result (Kahan; Jeannerod, Louvet, Muller 2013).
     fn difference_of_products(a: Self, b: Self, c: Self, d: Self) -> Self;
 
@@ -111,6 +116,12 @@ impl Real for f64 {
         self.powf(exponent)
     }
 
+    #[inline]
+    fn power(self, exponent: Self) -> Self {
+        super::elementary::power(self, exponent)
+    }
+
+    #[inline]
     fn difference_of_products(a: Self, b: Self, c: Self, d: Self) -> Self {
         let (cd, cd_error) = super::double_double::two_product(c, d);
         let (ab, ab_error) = super::double_double::two_product(a, b);

@@ -49,6 +49,17 @@ impl<A: Real> Traced<A> {
     fn size(self) -> f64 {
         self.value.abs().to_f64()
     }
+
+    /// A power, worked out with a relative error of `own` and one rounding. The relative error of xᵖ is p times that of x,
+    /// and ln x times the error of p.
+    fn raised(self, exponent: Self, value: A, own: f64) -> Self {
+        let size = value.abs().to_f64();
+        let relative = if self.error > 0.0 { exponent.size() * self.error / (self.size() - self.error) } else { 0.0 };
+        let by_exponent = if exponent.error > 0.0 { self.size().ln().abs() * exponent.error } else { 0.0 };
+        let relative = if relative < 0.0 { f64::INFINITY } else { relative };
+        let inherited = if size > 0.0 { size * (relative + by_exponent + own) } else { 0.0 };
+        Self::rounded(value, inherited)
+    }
 }
 
 impl<A: Real> PartialEq for Traced<A> {
@@ -154,16 +165,15 @@ impl<A: Real> Real for Traced<A> {
         Self { value: self.value.abs(), error: self.error }
     }
 
-    /// The relative error of xᵖ is p times that of x, and ln x times the error of p. Libraries round powers to within
-    /// an ulp, two roundings.
+    /// Libraries round powers to within an ulp, two roundings.
     fn powf(self, exponent: Self) -> Self {
-        let value = self.value.powf(exponent.value);
-        let size = value.abs().to_f64();
-        let relative = if self.error > 0.0 { exponent.size() * self.error / (self.size() - self.error) } else { 0.0 };
-        let by_exponent = if exponent.error > 0.0 { self.size().ln().abs() * exponent.error } else { 0.0 };
-        let relative = if relative < 0.0 { f64::INFINITY } else { relative };
-        let inherited = if size > 0.0 { size * (relative + by_exponent + A::UNIT_ROUNDOFF) } else { 0.0 };
-        Self::rounded(value, inherited)
+        self.raised(exponent, self.value.powf(exponent.value), A::UNIT_ROUNDOFF)
+    }
+
+    fn power(self, exponent: Self) -> Self {
+        let value = self.value.power(exponent.value);
+        let log = exponent.size() * if self.size() > 0.0 { self.size().ln().abs() } else { 0.0 };
+        self.raised(exponent, value, A::UNIT_ROUNDOFF * (2.0 + 2.0 * log))
     }
 
     fn difference_of_products(a: Self, b: Self, c: Self, d: Self) -> Self {

@@ -181,6 +181,14 @@ pub enum What {
         /// Why the work ended early, if it did.
         early_out: Option<String>,
     },
+    /// A spawned ray that rounding had set down on the wrong side of the surface that it left: the object was asked again
+    /// from a start beside it.
+    Moved {
+        /// The object.
+        object: String,
+        /// How far the start was moved along the normal.
+        by: f64,
+    },
     /// A hit that is not the one that is seen.
     Rejected {
         /// The object.

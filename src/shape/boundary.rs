@@ -71,9 +71,15 @@ impl<const N: usize> Roots<N> {
     }
 }
 
-impl<const N: usize> Boundaries for Roots<N> {
+impl<const N: usize> AsRef<[Root]> for Roots<N> {
+    fn as_ref(&self) -> &[Root] {
+        &self.items[..self.count]
+    }
+}
+
+impl<const N: usize> Boundaries for &Roots<N> {
     fn append(self, first: Sense, t_per_tau: f64, certificate: Certificate, crossings: &mut Vec<Crossing>) {
-        append_alternating(&self.items[..self.count], first, t_per_tau, certificate, crossings);
+        append_alternating(self.as_ref(), first, t_per_tau, certificate, crossings);
     }
 }
 

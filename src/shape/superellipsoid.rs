@@ -14,9 +14,15 @@
 //!
 //! **Ray equation** F itself is far too steep for large exponents. The search works on the gauge g = (F + 1)^(1/m), which is
 //! homogeneous of degree 1: it grows along the ray at most as fast as the point moves. g − 1 has the sign and zeros of F.
+//! With u = x ∂g/∂x / g and so on, the shares of the coordinates in g, (ln g)′ = Σ uᵢ cᵢ / xᵢ.
 //!
-//! **Accuracy** See `superellipsoid_search.rs`. Signs that double precision cannot tell are decided with 32 digits, and so
-//! is each root of a double-double ray. Creases and tips (exponents below 1) make t as bad as the power of the error there.
+//! **Proof** that no root is missed: for n, m ≥ 1 g is convex along the ray; for n, m ≤ 1 it is concave between the coordinate
+//! planes (`superellipsoid_search.rs`); else it is the sign of a difference of two convex or two concave functions
+//! (`superellipsoid_mixed.rs`). Tangents and chords of such functions are bounds.
+//!
+//! **Accuracy** The last step to each root is taken from coordinates S + c t without error but their last rounding. What is
+//! left is the rounding of the powers, a few u (1 + 1/n + 1/m) in g. Creases and tips (exponents below 1) make t as bad as
+//! the power of the error there. Signs that double precision cannot tell are asked for again with 32 digits.
 //!
 //! **Degenerate cases** Rays that touch have no hit. Where the gradient does not exist (tips, creases) the normal is that of
 //! the nearest smooth direction.
@@ -24,11 +30,14 @@
 //! **Source** A. H. Barr, "Superquadrics and angle-preserving transformations", IEEE CG&A 1(1), 1981; D. P. Mitchell,
 //! "Robust ray intersection with interval arithmetic", Graphics Interface 1990.
 
+use super::boundary::Boundaries;
 use super::gauge::Exponents;
+use super::solver::{self, Attempt, Call, Solver};
+use super::superellipsoid_line::Line;
 use super::superellipsoid_search::{Findings, search};
-use super::{Bounds, Crossing, GenericRay, Part, Primitive, boundary, boundary::Root, report};
+use super::{Bounds, Crossing, GenericRay, Part, Primitive, report};
 use crate::math::Real;
-use crate::record::{Certificate, Entry, Recorder, Sense, Value, What, format_number};
+use crate::record::{Candidate, Entry, Recorder, Value, What, format_number};
 use glam::{DVec2, DVec3};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -49,7 +58,7 @@ impl Superellipsoid {
                 return Err(format!("{name} is {exponent}; an exponent needs to be more than 0"));
             }
         }
-        Ok(Self { exponents: Exponents { n, m } })
+        Ok(Self { exponents: Exponents::new(n, m) })
     }
 }
 
@@ -62,20 +71,69 @@ fn super_circle(angle: f64, exponent: f64) -> DVec2 {
     DVec2::new(power(clean(cos)), power(clean(sin)))
 }
 
+impl Solver for Superellipsoid {
+    type Found<A: Real> = Findings<A>;
+
+    #[inline]
+    fn solve<A: Real>(&self, ray: &GenericRay<A>) -> Attempt<Findings<A>> {
+        search(&self.exponents, ray)
+    }
+
+    fn closest_call<A: Real>(&self, ray: &GenericRay<A>, found: &Findings<A>) -> Call {
+        let line = Line::new(&self.exponents, ray);
+        // Where nothing was asked, the ray is clear of all that holds the solid.
+        let probe = line.probe(found.closest.map_or(A::ZERO, |closest| closest.at));
+        Call {
+            question: "Is the ray inside at the closest place, g < 1?",
+            value: probe.log.exp_m1(),
+            doubt: line.doubt(&probe).log,
+            input_doubt: line.input_doubt(probe.at),
+            near: (line.foot + probe.at).to_f64(),
+        }
+    }
+
+    #[inline]
+    fn roots<A: Real>(&self, _: &GenericRay<A>, found: &Findings<A>) -> impl Boundaries {
+        &found.roots
+    }
+
+    fn working<A: Real>(&self, ray: &GenericRay<A>, found: &Findings<A>) -> Vec<Entry> {
+        vec![self.working(ray, found)]
+    }
+
+    fn rejected<A: Real>(&self, _: &GenericRay<A>, _: &Findings<A>, _: &[Crossing]) -> Vec<Candidate> {
+        Vec::new()
+    }
+}
+
+impl Superellipsoid {
+    /// The search in the shared t, with F at each root.
+    fn working<A: Real>(&self, ray: &GenericRay<A>, found: &Findings<A>) -> Entry {
+        let scale = ray.t_per_tau;
+        let roots = found.roots.as_ref();
+        let Exponents { n, m, .. } = self.exponents;
+        let mut entry = Entry::new(What::Search {
+            range: found.range.map(|ends| ends.map(|tau| tau * scale)),
+            stretches: found.stretches,
+            undecided: found.undecided,
+            roots: roots.iter().map(|root| root.tau * scale).collect(),
+        });
+        for (k, root) in roots.iter().enumerate() {
+            let place = ray.at(A::from_f64(root.tau));
+            let [x, y, z] = place.map(|x| Value::Number(x.to_f64()));
+            let bindings = [("x", x), ("y", y), ("z", z), ("n", Value::Number(n)), ("m", Value::Number(m))];
+            let symbol = format!("F(t{})", ['₁', '₂', '₃', '₄', '₅', '₆', '₇', '₈'].get(k).unwrap_or(&'ₖ'));
+            let excess = report::measured(self.exponents.level(place.map(Real::abs)).excess, 1.0);
+            entry = entry.line(&symbol, "(|x|^n + |y|^n)^(m/n) + |z|^m − 1", &bindings, excess);
+        }
+        entry
+    }
+}
+
 impl Primitive for Superellipsoid {
+    #[inline]
     fn crossings<A: Real>(&self, ray: &GenericRay<A>, recorder: &mut impl Recorder, crossings: &mut Vec<Crossing>) {
-        let begin = crossings.len();
-        let findings = search(self.exponents, ray);
-        let root = |&tau: &f64| {
-            let normal = self.normal(ray.point(A::from_f64(tau)), 0).to_array();
-            Root { tau, error: ray.root_error(normal, tau), part: 0 }
-        };
-        let roots: Vec<_> = findings.roots.iter().map(root).collect();
-        boundary::append_alternating(&roots, Sense::Enter, ray.t_per_tau, Certificate::Certain, crossings);
-        let found = &crossings[begin..];
-        recorder.note(|| self.working(ray, &findings));
-        recorder.note(|| report::implicit(self, ray, found));
-        recorder.note(|| report::roots(self, ray, found, Vec::new()));
+        solver::crossings(self, ray, recorder, crossings);
     }
 
     fn normal(&self, point: DVec3, _part: Part) -> DVec3 {
@@ -100,7 +158,7 @@ impl Primitive for Superellipsoid {
     /// The equator, two parallels and four meridians.
     fn outline(&self) -> Vec<Vec<DVec3>> {
         const STEPS: i32 = 96;
-        let Exponents { n, m } = self.exponents;
+        let Exponents { n, m, .. } = self.exponents;
         let angle = |step: i32| TAU * f64::from(step) / f64::from(STEPS);
         let curve = |point: &dyn Fn(f64) -> DVec3| (0..=STEPS).map(|step| point(angle(step % STEPS))).collect();
         let parallels = [-1.0, 0.0, 1.0].map(|k: f64| {
@@ -118,7 +176,7 @@ impl Primitive for Superellipsoid {
     }
 
     fn implicit(&self, point: DVec3) -> f64 {
-        let Exponents { n, m } = self.exponents;
+        let Exponents { n, m, .. } = self.exponents;
         let [x, y, z] = point.abs().to_array();
         // Powers of the larger of x and y times a sum between 1 and 2: no step overflows before the result does.
         let (most, least) = (x.max(y), x.min(y));
@@ -127,35 +185,12 @@ impl Primitive for Superellipsoid {
     }
 
     fn equation(&self) -> String {
-        let Exponents { n, m } = self.exponents;
+        let Exponents { n, m, .. } = self.exponents;
         format!("(|x|ⁿ + |y|ⁿ)^(m/n) + |z|ᵐ − 1, n = {}, m = {}", format_number(n), format_number(m))
     }
 
     fn parts(&self) -> Vec<String> {
         vec!["surface".to_owned()]
-    }
-}
-
-impl Superellipsoid {
-    fn working<A: Real>(&self, ray: &GenericRay<A>, findings: &Findings) -> Entry {
-        let scale = ray.t_per_tau;
-        let roots: Vec<_> = findings.roots.iter().map(|tau| tau * scale).collect();
-        let range = findings.range.map(|ends| ends.map(|tau| tau * scale));
-        let Exponents { n, m } = self.exponents;
-        let mut entry = Entry::new(What::Search {
-            range,
-            stretches: findings.stretches,
-            undecided: findings.undecided,
-            roots: roots.clone(),
-        });
-        for (k, root) in roots.into_iter().enumerate() {
-            let [x, y, z] = ray.at(A::from_f64(root / scale)).map(|x| Value::Number(x.to_f64()));
-            let bindings = [("x", x), ("y", y), ("z", z), ("n", Value::Number(n)), ("m", Value::Number(m))];
-            let symbol = format!("F(t{})", ['₁', '₂', '₃', '₄', '₅', '₆', '₇', '₈'].get(k).unwrap_or(&'ₖ'));
-            let value = self.implicit(ray.point(A::from_f64(root / scale)));
-            entry = entry.line(&symbol, "(|x|^n + |y|^n)^(m/n) + |z|^m − 1", &bindings, value);
-        }
-        entry
     }
 }
 

@@ -14,6 +14,7 @@ mod tally;
 mod tree;
 
 pub use closest::Surface;
+pub use departure::{Ahead, Departure};
 pub use export::{TRACE_FORMAT, TraceFile, trace_schema};
 pub use picture::{Picture, Progress, render, render_rows, srgb};
 pub use pixel::{record_pixel, record_ray, trace_pixel};

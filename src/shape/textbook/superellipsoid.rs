@@ -40,7 +40,7 @@ pub fn crossings(exponents: Exponents, ray: &GenericRay<f64>, crossings: &mut Ve
 }
 
 /// F = (|x|ⁿ + |y|ⁿ)^(m/n) + |z|ᵐ − 1.
-fn implicit(Exponents { n, m }: Exponents, [x, y, z]: [f64; 3]) -> f64 {
+fn implicit(Exponents { n, m, .. }: Exponents, [x, y, z]: [f64; 3]) -> f64 {
     (x.abs().powf(n) + y.abs().powf(n)).powf(m / n) + z.abs().powf(m) - 1.0
 }
 

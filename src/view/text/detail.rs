@@ -190,6 +190,7 @@ fn search_lines(what: &What) -> Option<Vec<DetailLine>> {
 /// The hit, or why there is none.
 fn hit_lines(what: &What) -> Option<Vec<DetailLine>> {
     Some(match what {
+        What::Moved { object, by } => vec![pair("object", object.clone()), pair("moved by", format_number(*by))],
         What::Rejected { object, leaf, part, t, reason } => {
             vec![
                 pair("surface", surface(object, leaf, part)),
