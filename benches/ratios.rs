@@ -15,7 +15,9 @@ const TURNS_TAKE: Duration = Duration::from_millis(600);
 fn main() {
     println!("ns a ray (a quarter of all turns was faster, a quarter slower), and the ratio to the textbook's");
     print!("{:24}", "");
-    CONTESTANTS.iter().for_each(|(solver, _)| print!("{solver:>32}"));
+    for (solver, _) in CONTESTANTS {
+        print!("{solver:>32}");
+    }
     println!("{:>12}{:>12}", "adaptive /", "hits a ray");
     println!("{:152}{:>12}", "", "textbook");
     for (name, shape) in shapes() {

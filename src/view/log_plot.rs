@@ -239,7 +239,7 @@ fn power_of_ten(power: i32) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::view::{Theme, png};
+    use crate::view::{Text, Theme, png};
 
     fn sample() -> LogPlot {
         let curve = |name: &str, colour, y: f64| Curve {
@@ -264,7 +264,7 @@ mod tests {
     #[test]
     fn names_at_the_ends_of_equal_curves_do_not_cover_each_other_and_stay_within() {
         let drawing = log_plot(&sample(), [720.0, 520.0], Theme::Light);
-        let frames: Vec<Frame> = drawing.texts().map(|text| text.frame()).collect();
+        let frames: Vec<Frame> = drawing.texts().map(Text::frame).collect();
         for (k, frame) in frames.iter().enumerate() {
             assert!(drawing.frame().holds(frame), "{:?}", drawing.texts().nth(k));
             assert!(frames[..k].iter().all(|other| !other.overlaps(frame)), "{:?}", drawing.texts().nth(k));
