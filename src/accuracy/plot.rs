@@ -17,16 +17,19 @@ pub fn plot(question: Question, subject: &Subject, places: &[Place]) -> LogPlot 
         })
         .collect()
     };
-    let (title, x_name, x_powers) = match question {
-        Question::Distance => {
+    let edges = ["cube", "convex_polyhedron", "square"].contains(&subject.name);
+    let (title, x_name, x_powers) = match (question, edges) {
+        (Question::Distance, _) => {
             ("error and wrong answers against distance", "distance of the ray's start, in sizes of the shape", [0, 8])
         }
-        Question::Tangency => (
+        (Question::Tangency, true) => (
+            "error and wrong answers near an edge",
+            "gap between the ray and an edge, in sizes of the shape",
+            [-1, -16],
+        ),
+        (Question::Tangency, false) => (
             "error and wrong answers near a tangent",
-            match subject.name {
-                "cube" | "convex_polyhedron" | "square" => "gap between the ray and an edge, in sizes of the shape",
-                _ => "gap between the ray and a tangent, in sizes of the shape",
-            },
+            "gap between the ray and a tangent, in sizes of the shape",
             [-1, -16],
         ),
     };
