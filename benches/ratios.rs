@@ -15,10 +15,11 @@ const TURNS_TAKE: Duration = Duration::from_millis(600);
 fn main() {
     println!("ns a ray (a quarter of all turns was faster, a quarter slower), and the ratio to the textbook's");
     print!("{:24}", "");
-    CONTESTANTS.iter().for_each(|(solver, _)| print!("{solver:>26}"));
+    for (solver, _) in CONTESTANTS {
+        print!("{solver:>32}");
+    }
     println!("{:>12}{:>12}", "adaptive /", "hits a ray");
-    print!("{:24}{:>117}{:>12}", "", "textbook", "");
-    println!();
+    println!("{:152}{:>12}", "", "textbook");
     for (name, shape) in shapes() {
         let rays = rays(&shape);
         let mut crossings = Vec::with_capacity(64);
@@ -36,7 +37,7 @@ fn main() {
         for taken in &mut nanoseconds {
             taken.sort_by(f64::total_cmp);
             let at = |share: usize| taken[taken.len() * share / 4];
-            print!("{:>26}", format!("{:.1} ({:.1} … {:.1})", at(2), at(1), at(3)));
+            print!("{:>32}", format!("{:.1} ({:.1} … {:.1})", at(2), at(1), at(3)));
         }
         let median = |k: usize| nanoseconds[k][nanoseconds[k].len() / 2];
         println!("{:>12.2}{hits:>12.2}", median(0) / median(1));

@@ -17,21 +17,26 @@ pub fn plot(question: Question, subject: &Subject, places: &[Place]) -> LogPlot 
         })
         .collect()
     };
-    let (title, x_name, x_powers) = match question {
-        Question::Distance => ("error against distance", "distance of the ray's start, in sizes of the shape", [0, 8]),
-        Question::Tangency => (
+    let edges = ["cube", "convex_polyhedron", "square"].contains(&subject.name);
+    let (title, x_name, x_powers) = match (question, edges) {
+        (Question::Distance, _) => {
+            ("error and wrong answers against distance", "distance of the ray's start, in sizes of the shape", [0, 8])
+        }
+        (Question::Tangency, true) => (
+            "error and wrong answers near an edge",
+            "gap between the ray and an edge, in sizes of the shape",
+            [-1, -16],
+        ),
+        (Question::Tangency, false) => (
             "error and wrong answers near a tangent",
-            match subject.name {
-                "cube" | "convex_polyhedron" | "square" => "gap between the ray and an edge, in sizes of the shape",
-                _ => "gap between the ray and a tangent, in sizes of the shape",
-            },
+            "gap between the ray and a tangent, in sizes of the shape",
             [-1, -16],
         ),
     };
     LogPlot {
         title: format!("{}: {title}", subject.title),
         notes: vec![
-            format!("{RAYS} rays for each place. Errors: 99 of 100 right answers are below, in units of what half a last digit"),
+            format!("{RAYS} rays for each place. Errors: 99 of 100 rays with right hits are below, in units of what half a last digit"),
             "of the ray, in f64, can do to the hit time. The exact hits are those of double-double, whose error is not shown.".to_owned(),
         ],
         x_name: x_name.to_owned(),

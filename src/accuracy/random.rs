@@ -74,7 +74,8 @@ mod tests {
         let mut random = Random::new(1, 0);
         let mut counts = [0_i32; 10];
         for _ in 0..100_000 {
-            counts[(random.share() * 10.0).floor() as usize] += 1;
+            let share = random.share();
+            counts[(1..10_u8).filter(|k| share >= f64::from(*k) / 10.0).count()] += 1;
         }
         // Four standard deviations of a binomial count.
         assert!(counts.iter().all(|count| (count - 10_000).abs() < 380), "{counts:?}");

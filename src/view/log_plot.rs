@@ -139,7 +139,7 @@ impl Painter<'_> {
         let frame = Frame { low: [left, top], high: [right, bottom] };
         self.drawing.put(Form::Rect { frame, fill: None, stroke: Some(Stroke::solid(palette.faint, 1.0)) }, None);
         let name = Label::new(&self.panel.y_name, TEXT, palette.ink);
-        self.drawing.put(Form::Text(name.at([MARGIN, top - 12.0], Anchor::Start, None)), None);
+        self.drawing.put(Form::Text(name.at([left, top - 12.0], Anchor::Start, None)), None);
         if last {
             let name = Label::new(&plot.x_name, TEXT, palette.ink);
             let middle = f64::midpoint(left, right);
@@ -170,10 +170,13 @@ impl Painter<'_> {
 
     fn curves(&mut self) {
         let palette = self.theme.palette();
-        let colours = [palette.reflected, palette.shadow, palette.refracted, palette.camera, palette.bad];
+        let colours = [palette.faint, palette.shadow, palette.refracted, palette.camera, palette.bad];
         let dashes = [None, Some([5.0, 3.0]), None, Some([1.5, 3.0]), None];
         let mut ends = Vec::new();
-        for curve in &self.panel.curves {
+        // Broken lines last, so that they are seen on top of unbroken ones that go the same way.
+        let (broken, whole): (Vec<_>, Vec<_>) =
+            self.panel.curves.iter().partition(|curve| dashes[curve.colour % dashes.len()].is_some());
+        for curve in whole.into_iter().chain(broken) {
             let k = curve.colour % colours.len();
             let (colour, dash) = (colours[k], dashes[k]);
             let pieces = curve.points.split(|[_, y]| y.is_nan());
@@ -236,7 +239,7 @@ fn power_of_ten(power: i32) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::view::{Theme, png};
+    use crate::view::{Text, Theme, png};
 
     fn sample() -> LogPlot {
         let curve = |name: &str, colour, y: f64| Curve {
@@ -261,7 +264,7 @@ mod tests {
     #[test]
     fn names_at_the_ends_of_equal_curves_do_not_cover_each_other_and_stay_within() {
         let drawing = log_plot(&sample(), [720.0, 520.0], Theme::Light);
-        let frames: Vec<Frame> = drawing.texts().map(|text| text.frame()).collect();
+        let frames: Vec<Frame> = drawing.texts().map(Text::frame).collect();
         for (k, frame) in frames.iter().enumerate() {
             assert!(drawing.frame().holds(frame), "{:?}", drawing.texts().nth(k));
             assert!(frames[..k].iter().all(|other| !other.overlaps(frame)), "{:?}", drawing.texts().nth(k));

@@ -73,7 +73,7 @@ fn clamped_root(x: f64) -> Option<f64> {
 fn cubic_roots([c, b, a]: [f64; 3]) -> Found {
     let square = a * a;
     let p = (-square / 3.0 + b) / 3.0;
-    let q = (2.0 / 27.0 * a * square - a * b / 3.0 + c) / 2.0;
+    let q = 0.5 * (2.0 / 27.0 * a * square - a * b / 3.0 + c);
     let cube = p * p * p;
     let discriminant = q * q + cube;
     let mut roots = Found::default();
