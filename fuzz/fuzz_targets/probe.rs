@@ -2,10 +2,10 @@
 
 #![no_main]
 
-#[path = "../../tests/fuzz_seeds/probe_rules.rs"]
-mod probe_rules;
 #[path = "mutate.rs"]
 mod mutate;
+#[path = "../../tests/fuzz_seeds/probe_rules.rs"]
+mod probe_rules;
 
 use libfuzzer_sys::{fuzz_mutator, fuzz_target};
 
@@ -15,6 +15,4 @@ fuzz_target!(|data: &[u8]| {
     }
 });
 
-fuzz_mutator!(|data: &mut [u8], size: usize, max_size: usize, seed: u32| {
-    mutate::json(data, size, max_size, seed)
-});
+fuzz_mutator!(|data: &mut [u8], size: usize, max_size: usize, seed: u32| { mutate::json(data, size, max_size, seed) });
