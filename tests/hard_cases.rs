@@ -307,3 +307,14 @@ fn a_ray_between_two_balls_that_touch_hits_neither() {
     let middle = rayscope::trace::trace_pixel(&case.scene, 160, 120, &mut rayscope::record::NullRecorder);
     assert_eq!(middle, glam::DVec3::ZERO, "a touched ball is not hit");
 }
+
+#[test]
+fn a_blade_is_hit_where_it_is_thinner_than_the_last_digit_of_a_hit_time() {
+    // A ray that crosses a coordinate plane inside of |x|ⁿ + |z|ⁿ = 1 is inside the solid there, if only for 10⁻²⁰.
+    let shape = |n: f64, scale: f64| json!({"shape": "superellipsoid", "n": n, "m": n, "material": "0", "transform": [{"scale": scale}]});
+    let thorn = View { size: [160, 120], ..View::new([2.0, -5.0, 1.7], [0.0; 3], 30.0) };
+    // Seen along y the outline of the other one is √x + √z = 1, which passes through (1/4, 1/4).
+    let crease = View { size: [160, 120], ..View::new([0.25, -6.0, 0.25], [0.25, 0.0, 0.25], field(2e-10, 6.0)) };
+    assert_exact(&case("thorn", thorn, &[shape(0.1, 600.0)], SuperellipsoidAlone { n: 0.1, m: 0.1 }), HANDFUL);
+    assert_exact(&case("crease", crease, &[shape(0.5, 1.0)], SuperellipsoidAlone { n: 0.5, m: 0.5 }), 120);
+}
