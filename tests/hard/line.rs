@@ -56,14 +56,14 @@ impl<N: Number> Line<N> {
         (N::of(t) - self.foot.clone()) / N::of(self.per_delta)
     }
 
-    /// How far off δ may be where the surface has this gradient: what half-ulp changes of the inputs do, four times
-    /// over, and four roundings of t itself.
+    /// How far off δ may be where the surface has this gradient: what half-ulp changes of the inputs do, eight times
+    /// over, and eight roundings of t itself.
     pub fn tolerance(&self, gradient: DVec3, t: f64) -> f64 {
         let largest = gradient.abs().max_element();
         let sharp = gradient.to_array().map(|x| if x.is_infinite() { x.signum() } else { 0.0 });
         let normal = if largest.is_infinite() { DVec3::from_array(sharp) } else { gradient / largest };
         let slope = (0..3).map(|i| normal[i] * self.c[i].nearest()).sum::<f64>().abs();
-        4.0 * (self.doubt * normal.abs().element_sum() / slope + 2.0 * HALF_ULP * (t / self.per_delta).abs())
+        8.0 * (self.doubt * normal.abs().element_sum() / slope + HALF_ULP * (t / self.per_delta).abs())
     }
 }
 
