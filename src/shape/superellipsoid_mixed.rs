@@ -25,6 +25,8 @@ struct Cut<A> {
     value: f64,
     doubt: f64,
     inside: bool,
+    /// Whether it is on the surface, as far as can be told.
+    touches: bool,
     /// ρ′ and σ′; in a plane with a cusp there are none.
     slopes: [f64; 2],
     /// The exponent of a coordinate that is zero here and makes a cusp.
@@ -97,7 +99,7 @@ impl<A: Real> Search<'_, A> {
         }
         self.note(at, value, doubt);
         self.is_told(value, doubt);
-        cut.inside = is_inside::<A>(value, doubt);
+        (cut.inside, cut.touches) = (is_inside::<A>(value, doubt), value.abs() <= doubt);
         cut
     }
 
@@ -161,7 +163,7 @@ impl<A: Real> Search<'_, A> {
         let inside = if left.inside { left } else { right };
         let cusp = inside.cusp.map(|exponent| {
             let excess = self.line.probe(inside.at).excess;
-            Cusp { at: inside.at, excess, exponent }
+            Cusp { at: inside.at, excess, exponent, touches: inside.touches }
         });
         let start = match (left.newton(true, length), right.newton(false, length)) {
             (Some(a), Some(b)) if a > b => right.at - A::from_f64(b),
@@ -196,5 +198,5 @@ fn cut<A: Real>(line: &Line<A>, at: A) -> Cut<A> {
     };
     let doubt = rounding * (rho + sigma) + cancelled;
     let value = (radius - section).to_f64();
-    Cut { at, radius, section, value, doubt, inside: value < 0.0, slopes: [terms[0] + terms[1], section_slope], cusp: None }
+    Cut { at, radius, section, value, doubt, inside: value < 0.0, touches: false, slopes: [terms[0] + terms[1], section_slope], cusp: None }
 }
