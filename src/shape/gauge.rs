@@ -25,7 +25,11 @@ impl Power {
         let rounded = over / under;
         let halves = 2.0 * rounded;
         if halves <= Self::MOST_HALVES && halves >= 1.0 && halves.fract() == 0.0 && halves * under == 2.0 * over {
-            #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a whole number from 1 to 48")]
+            #[expect(
+                clippy::cast_possible_truncation,
+                clippy::cast_sign_loss,
+                reason = "a whole number from 1 to 48"
+            )]
             return Self::Halves(halves as u32);
         }
         Self::Any { over, under, rounded }

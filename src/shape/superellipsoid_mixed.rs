@@ -11,7 +11,7 @@
 
 use super::superellipsoid_line::Line;
 use super::superellipsoid_root::{Bracket, Cusp};
-use super::superellipsoid_search::{Search, is_inside};
+use super::superellipsoid_search::Search;
 use crate::math::Real;
 
 /// d = ρ − σ at one place of the ray.
@@ -99,7 +99,9 @@ impl<A: Real> Search<'_, A> {
         }
         self.note(at, value, doubt);
         self.is_told(value, doubt);
-        (cut.inside, cut.touches) = (is_inside::<A>(value, doubt), value.abs() <= doubt);
+        // What cannot be told from a touch by 32 digits counts as outside.
+        cut.touches = A::DOUBT_IS_ZERO && value.abs() <= doubt;
+        cut.inside = value < 0.0 && !cut.touches;
         cut
     }
 
@@ -160,10 +162,14 @@ impl<A: Real> Search<'_, A> {
 
     /// The one root of a stretch.
     fn root_between(&mut self, left: &Cut<A>, right: &Cut<A>, length: f64) {
+        if let Some(touching) = [left, right].into_iter().find(|cut| cut.touches) {
+            self.findings.roots.push(self.line.root_in_plane(touching.at));
+            return;
+        }
         let inside = if left.inside { left } else { right };
         let cusp = inside.cusp.map(|exponent| {
             let excess = self.line.probe(inside.at).excess;
-            Cusp { at: inside.at, excess, exponent, touches: inside.touches }
+            Cusp { at: inside.at, excess, exponent, touches: false }
         });
         let start = match (left.newton(true, length), right.newton(false, length)) {
             (Some(a), Some(b)) if a > b => right.at - A::from_f64(b),
@@ -187,7 +193,8 @@ fn cut<A: Real>(line: &Line<A>, at: A) -> Cut<A> {
     let limit = if line.exponents.m > 1.0 { -f64::INFINITY * rates[2].signum() } else { 0.0 };
     let section_slope = if poles { limit } else { -sigma * steepness * rates[2] };
     let rounding = A::UNIT_ROUNDOFF * line.exponents.roundings();
-    let blurred = line.blurred([terms[0], terms[1], section_slope], [rho * shares[0], rho * shares[1], sigma * steepness]);
+    let blurred =
+        line.blurred([terms[0], terms[1], section_slope], [rho * shares[0], rho * shares[1], sigma * steepness]);
     // 1 − |z|ᵐ is off by a few roundings of 1, whatever is left of it; near the poles the root makes much of that.
     let rest = 1.0 / (1.0 + steepness);
     let off = rounding * line.exponents.m;
@@ -198,5 +205,15 @@ fn cut<A: Real>(line: &Line<A>, at: A) -> Cut<A> {
     };
     let doubt = rounding * (rho + sigma) + cancelled;
     let value = (radius - section).to_f64();
-    Cut { at, radius, section, value, doubt, inside: value < 0.0, touches: false, slopes: [terms[0] + terms[1], section_slope], cusp: None }
+    Cut {
+        at,
+        radius,
+        section,
+        value,
+        doubt,
+        inside: value < 0.0,
+        touches: false,
+        slopes: [terms[0] + terms[1], section_slope],
+        cusp: None,
+    }
 }

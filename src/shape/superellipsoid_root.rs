@@ -93,7 +93,8 @@ pub(super) fn root_in<A: Real>(line: &Line<A>, bracket: Bracket<A>) -> Root {
             let scale = cusp.map_or(last, |cusp| last.min((at - cusp.at).to_f64().abs()));
             let expected = size * (size / scale).powi(if converges { order } else { 1 });
             let in_noise = probe.log.abs() <= 2.0 * A::UNIT_ROUNDOFF * line.exponents.roundings();
-            let done = fits && expected <= short || size <= short || in_noise;
+            // Far from the surface a step of nothing only says that T has overflowed.
+            let done = in_noise || probe.excess.abs() < 0.1 && (fits && expected <= short || size <= short);
             let moved = if size.is_finite() && (fits || size <= NEAR * last) { tau + A::from_f64(step) } else { tau };
             best = Some(line.root(moved, &probe, gradient));
             if done {

@@ -216,7 +216,7 @@ impl<A: Real> Search<'_, A> {
 }
 
 /// What lies within the doubt of the finest arithmetic counts as inside: a touch from within is no hit.
-pub(super) fn is_inside<A: Real>(value: f64, doubt: f64) -> bool {
+fn is_inside<A: Real>(value: f64, doubt: f64) -> bool {
     value < 0.0 || A::DOUBT_IS_ZERO && value <= doubt
 }
 
