@@ -2,10 +2,11 @@
 //!
 //! Data flows one way: scene file → [`scene`] → [`trace`] → event tree → [`view`] → command line or workbench. The
 //! layers, from the bottom: [`record`], [`math`], then [`shape`], [`csg`] and [`optics`], then [`scene`], [`trace`],
-//! [`view`], and on top [`cli`] and `app`.
+//! [`view`], [`accuracy`], and on top [`cli`] and `app`.
 
 #![warn(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::print_stdout, clippy::print_stderr)]
 
+pub mod accuracy;
 #[cfg(feature = "workbench")]
 pub mod app;
 pub mod cli;

@@ -14,13 +14,17 @@ const LAYERS: &[(&str, &[&str])] = &[
     ("scene", &["record", "math", "shape", "csg", "optics"]),
     ("trace", &["record", "math", "shape", "csg", "optics", "scene"]),
     ("view", &["record", "math", "shape", "csg", "optics", "scene", "trace"]),
-    ("cli", &["record", "math", "shape", "csg", "optics", "scene", "trace", "view", "app"]),
+    ("accuracy", &["record", "math", "shape", "csg", "optics", "scene", "trace", "view"]),
+    ("cli", &["record", "math", "shape", "csg", "optics", "scene", "trace", "view", "accuracy", "app"]),
     ("app", &["record", "math", "shape", "csg", "optics", "scene", "trace", "view"]),
 ];
 
 /// Crates that only some places may use, and those places.
 const CRATES: &[(&[&str], &[&str])] = &[
-    (&["serde", "serde_json", "schemars"], &["src/record/", "src/scene/", "src/trace/export.rs", "src/cli/"]),
+    (
+        &["serde", "serde_json", "schemars"],
+        &["src/record/", "src/scene/", "src/trace/export.rs", "src/accuracy/oracle.rs", "src/cli/"],
+    ),
     (&["jsonc_parser", "include_dir"], &["src/scene/"]),
     (&["egui", "eframe", "winit", "rfd"], &["src/app/"]),
     (&["tiny_skia"], &["src/view/paint.rs"]),

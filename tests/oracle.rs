@@ -3,13 +3,11 @@
 //! `oracle/README.md` says what the numbers mean and when a solver is right.
 
 use glam::DVec3;
+use rayscope::accuracy::judge;
+use rayscope::accuracy::oracle::{Case, Target, cases};
 use rayscope::math::{DoubleDouble, Real};
 use rayscope::record::{NullRecorder, Sense};
-use rayscope::shape::{
-    ConvexPolyhedron, Crossing, Cube, GenericRay, HalfSpace, Part, Primitive, Shape, Sphere, Square, Superellipsoid,
-    TaperedCylinder, Torus,
-};
-use serde_json::Value;
+use rayscope::shape::{Crossing, GenericRay, HalfSpace, Part, Primitive, Shape};
 
 /// Cases that are judged wrong today, with the reason. A cure has to take them off this list.
 const KNOWN_FAILURES: &[(&str, &str)] = &[];
@@ -17,171 +15,11 @@ const KNOWN_FAILURES: &[(&str, &str)] = &[];
 /// The largest error that any hit may have, in units of what the input's last digit can move it by.
 const WORST_ERROR: f64 = 16.0;
 
-struct Zone {
-    low: f64,
-    high: f64,
-    before: String,
-    after: String,
-    hits: u64,
-}
-
-struct Hit {
-    t: f64,
-    floor: f64,
-    side: String,
-    surfaces: Vec<String>,
-    normals: Vec<Option<DVec3>>,
-}
-
-struct Case {
-    id: String,
-    shape: Shape,
-    origin: DVec3,
-    direction: DVec3,
-    ambiguous: bool,
-    hits: Vec<Hit>,
-    zones: Vec<Zone>,
-}
-
-/// Numbers stand in quotes in the files, so that no JSON library rounds them.
-fn number(value: &Value) -> f64 {
-    value.as_str().unwrap().parse().unwrap()
-}
-
-fn vector(value: &Value) -> DVec3 {
-    DVec3::new(number(&value[0]), number(&value[1]), number(&value[2]))
-}
-
-fn text(value: &Value) -> String {
-    value.as_str().unwrap().to_owned()
-}
-
-fn list<T>(value: &Value, read: impl Fn(&Value) -> T) -> Vec<T> {
-    value.as_array().unwrap().iter().map(read).collect()
-}
-
-fn shape(file: &str, parameters: &Value, polyhedra: &Value) -> Shape {
-    let parameter = |name: &str| number(&parameters[name]);
-    match file {
-        "sphere" => Shape::Sphere(Sphere::new().unwrap()),
-        "square" => Shape::Square(Square::new().unwrap()),
-        "cube" => Shape::Cube(Cube::new().unwrap()),
-        "tapered" => Shape::TaperedCylinder(TaperedCylinder::new(parameter("s")).unwrap()),
-        "torus" => Shape::Torus(Torus::new(parameter("d")).unwrap()),
-        "superellipsoid" => Shape::Superellipsoid(Superellipsoid::new(parameter("n"), parameter("m")).unwrap()),
-        _ => {
-            let planes = list(&polyhedra[parameters["shape"].as_str().unwrap()], |plane| HalfSpace {
-                normal: vector(&plane["normal"]),
-                offset: number(&plane["offset"]),
-            });
-            Shape::ConvexPolyhedron(ConvexPolyhedron::new(planes).unwrap())
-        }
-    }
-}
-
-fn cases(file: &str) -> Vec<Case> {
-    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/oracle");
-    let read = |name: &str| std::fs::read_to_string(format!("{folder}/{name}")).unwrap();
-    let polyhedra: Value = serde_json::from_str(&read("polyhedra.json")).unwrap();
-    let mut shapes: Vec<(Value, Shape)> = Vec::new();
-    read(&format!("{file}.jsonl"))
-        .lines()
-        .map(|line| {
-            let case: Value = serde_json::from_str(line).unwrap();
-            let parameters = &case["parameters"];
-            if !shapes.iter().any(|(known, _)| known == parameters) {
-                shapes.push((parameters.clone(), shape(file, parameters, &polyhedra)));
-            }
-            Case {
-                id: text(&case["id"]),
-                shape: shapes.iter().find(|(known, _)| known == parameters).unwrap().1.clone(),
-                origin: vector(&case["origin"]),
-                direction: vector(&case["direction"]),
-                ambiguous: case["ambiguous"].as_bool().unwrap(),
-                hits: list(&case["hits"], |hit| Hit {
-                    t: number(&hit["t"]),
-                    floor: number(&hit["floor"]),
-                    side: text(&hit["side"]),
-                    surfaces: list(&hit["surf"], text),
-                    normals: list(&hit["normals"], |n| (!n.is_null()).then(|| vector(n))),
-                }),
-                zones: list(&case["zones"], |zone| Zone {
-                    low: number(&zone[0]),
-                    high: number(&zone[1]),
-                    before: text(&zone[2]),
-                    after: text(&zone[3]),
-                    hits: zone[4].as_u64().unwrap(),
-                }),
-            }
-        })
-        .collect()
-}
-
-fn solve<A: Real>(case: &Case) -> Vec<Crossing> {
+fn solve<A: Real>(shape: &Shape, case: &Case) -> Vec<Crossing> {
     let mut crossings = Vec::new();
     let ray = GenericRay::<A>::new(case.origin, case.direction);
-    case.shape.crossings(&ray, &mut NullRecorder, &mut crossings);
+    shape.crossings(&ray, &mut NullRecorder, &mut crossings);
     crossings
-}
-
-fn ulp(x: f64) -> f64 {
-    x.abs().next_up() - x.abs()
-}
-
-/// How far `t` lies outside of a zone.
-fn distance(zone: &Zone, t: f64) -> f64 {
-    (zone.low - t).max(t - zone.high).max(0.0)
-}
-
-/// The zone that a reported t belongs to: the nearest one, if it is near enough.
-fn zone_of(case: &Case, t: f64) -> Option<usize> {
-    let zones = &case.zones;
-    let nearest = (0..zones.len()).min_by(|&a, &b| distance(&zones[a], t).total_cmp(&distance(&zones[b], t)))?;
-    let zone = &zones[nearest];
-    let gap = (0..zones.len())
-        .filter(|&k| k != nearest)
-        .map(|k| (zones[k].low - zone.high).max(zone.low - zones[k].high).max(0.0))
-        .fold(f64::INFINITY, f64::min);
-    let length = 1.0 / case.direction.abs().max_element();
-    let width = 4.0 * (zone.high - zone.low) + 4.0 * ulp(zone.high);
-    (distance(zone, t) <= width.max((1e-3 * length).min(0.45 * gap))).then_some(nearest)
-}
-
-#[derive(Default)]
-struct Verdict {
-    missed: usize,
-    extra: usize,
-    /// The largest error of a hit that stands alone in its zone, over what the input's last digit can do.
-    error: f64,
-}
-
-/// The rule of `oracle/README.md`.
-fn judge(case: &Case, ends: &[f64]) -> Verdict {
-    let square = matches!(case.shape, Shape::Square(_));
-    let mut verdict = Verdict::default();
-    let mut reported = vec![Vec::new(); case.zones.len()];
-    for &t in ends {
-        match zone_of(case, t) {
-            Some(zone) => reported[zone].push(t),
-            None => verdict.extra += 1,
-        }
-    }
-    for (zone, reported) in case.zones.iter().zip(reported) {
-        let must = if square { zone.after == "in" } else { zone.before != zone.after };
-        let count = reported.len();
-        match (must, count) {
-            (true, 0) => verdict.missed += 1,
-            (true, _) if count % 2 == 0 || square => verdict.extra += count - 1,
-            (false, _) if count % 2 == 1 && !square => verdict.extra += 1,
-            _ => {}
-        }
-        if must && count > 0 && zone.hits == 1 {
-            let hit = case.hits.iter().find(|hit| zone.low <= hit.t && hit.t <= zone.high);
-            let error = hit.map_or(0.0, |hit| (reported[0] - hit.t).abs() / (hit.floor + 0.5 * ulp(hit.t)));
-            verdict.error = verdict.error.max(error);
-        }
-    }
-    verdict
 }
 
 /// Whether the oracle's name of a surface means our part.
@@ -201,11 +39,11 @@ fn same_surface(oracle: &str, part: &str) -> bool {
 }
 
 /// Sense, part and normal of each crossing of a case whose structure is beyond doubt.
-fn check_surfaces(case: &Case, crossings: &[Crossing]) -> Result<(), String> {
+fn check_surfaces(shape: &Shape, case: &Case, crossings: &[Crossing]) -> Result<(), String> {
     if crossings.len() != case.hits.len() {
         return Err(format!("{} hits for {}", crossings.len(), case.hits.len()));
     }
-    let parts = case.shape.parts();
+    let parts = shape.parts();
     for (crossing, hit) in crossings.iter().zip(&case.hits) {
         let sense = match crossing.sense {
             Sense::Enter => "in",
@@ -222,15 +60,15 @@ fn check_surfaces(case: &Case, crossings: &[Crossing]) -> Result<(), String> {
         let blur = 8.0 * f64::EPSILON * (case.origin.abs().max_element() + 2.0);
         let Some(k) = hit.surfaces.iter().position(|surface| same_surface(surface, part)) else {
             // Within rounding of an edge either face will do.
-            if from_part(&case.shape, crossing.part, point) <= blur {
+            if from_part(shape, crossing.part, point) <= blur {
                 continue;
             }
             return Err(format!("part {part} for {:?}", hit.surfaces));
         };
         let Some(Some(expected)) = hit.normals.get(k) else { continue };
-        let normal = case.shape.normal(point, crossing.part).normalize();
+        let normal = shape.normal(point, crossing.part).normalize();
         let moved = blur + hit.floor * case.direction.length();
-        let tolerance = 1e-14 + bending(&case.shape, point) * moved;
+        let tolerance = 1e-14 + bending(shape, point) * moved;
         if (normal - *expected).length() > tolerance {
             return Err(format!("normal {normal} for {expected}, more than {tolerance:e} off"));
         }
@@ -268,17 +106,18 @@ fn bending(shape: &Shape, point: DVec3) -> f64 {
 fn check<A: Real>(file: &str) {
     let (mut missed, mut extra, mut worst) = (0, 0, (0.0, String::new()));
     let mut problems = Vec::new();
-    let cases = cases(file);
+    let cases = cases(file).unwrap();
     for case in &cases {
-        let crossings = solve::<A>(case);
+        let Target::Shape(shape) = &case.target else { panic!("{file} has primitives alone") };
+        let crossings = solve::<A>(shape, case);
         let ends: Vec<_> = crossings.iter().map(|crossing| crossing.t).collect();
-        let verdict = judge(case, &ends);
+        let verdict = judge(case, &ends, 1.0);
         missed += verdict.missed;
         extra += verdict.extra;
         if verdict.error > worst.0 {
             worst = (verdict.error, case.id.clone());
         }
-        let surfaces = if case.ambiguous { Ok(()) } else { check_surfaces(case, &crossings) };
+        let surfaces = if case.ambiguous { Ok(()) } else { check_surfaces(shape, case, &crossings) };
         let wrong = verdict.missed + verdict.extra > 0 || surfaces.is_err() || verdict.error > WORST_ERROR;
         let known = KNOWN_FAILURES.iter().any(|(id, _)| *id == case.id);
         if wrong && !known {

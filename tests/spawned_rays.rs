@@ -1,5 +1,6 @@
 //! Spawned rays leave the surface that they started on, at every scale, and the media follow them.
 
+use rayscope::accuracy::spawned::soak;
 use rayscope::record::{RayKind, What};
 use rayscope::scene::{Scene, load};
 use rayscope::trace::{RayTree, record_pixel};
@@ -102,4 +103,13 @@ fn a_thin_shell_keeps_both_its_sides() {
         }
     }
     assert!(seen > 100);
+}
+
+/// The long version runs for hours, if asked to: `cargo bench --bench spawned_rays -- --rays 1e8`.
+#[test]
+fn no_spawned_ray_hits_the_surface_that_it_left_or_loses_another() {
+    let soak = soak(1, 0..40_000, || false, |_| {}).unwrap();
+    let total = soak.total();
+    assert!(total.judged > 15_000 && total.not_judged * 1_000 < total.judged, "{total:?}");
+    assert_eq!((total.self_hits, total.leaks), (0, 0), "{:#?}", soak.mishaps);
 }

@@ -4,12 +4,17 @@ mod failure;
 mod open;
 mod output;
 mod probe;
+mod progress;
 mod render;
 mod scene_argument;
 mod scenes;
 mod schema;
+mod stability;
+mod stability_plots;
 mod stats;
 mod trace;
+
+pub use probe::answers;
 
 use clap::{Parser, Subcommand};
 use std::process::ExitCode;
@@ -21,6 +26,7 @@ Examples:
   rayscope render csg/bowl -o bowl.png          render a picture
   rayscope trace csg/bowl --pixel 320,240       print everything that a pixel's ray did
   rayscope scenes                               list the scenes that come with the program
+  rayscope stability                            judge every solver by hits with 40 digits
 
 SCENE is a file, or the name of a scene that comes with the program, such as csg/bowl.
 
@@ -47,6 +53,7 @@ enum Command {
     Probe(probe::Probe),
     Scenes(scenes::Scenes),
     Schema(schema::Schema),
+    Stability(stability::Stability),
 }
 
 /// Runs the program on the arguments that it was started with.
@@ -64,6 +71,7 @@ pub fn run() -> ExitCode {
         Some(Command::Probe(probe)) => probe.run(),
         Some(Command::Scenes(scenes)) => scenes.run(),
         Some(Command::Schema(schema)) => schema.run(),
+        Some(Command::Stability(stability)) => stability.run(),
     };
     outcome.map_or_else(failure::Failure::report, |()| ExitCode::SUCCESS)
 }

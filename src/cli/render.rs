@@ -2,6 +2,7 @@
 
 use super::failure::Failure;
 use super::output::Output;
+use super::progress::{stop_on_ctrl_c, with_bar};
 use super::scene_argument::{SceneArgument, SizeArguments};
 use super::stats::{self, Seconds, Stats};
 use crate::scene::Scene;
@@ -9,16 +10,9 @@ use crate::trace::{Picture, Progress, Tally, render};
 use clap::Args;
 use image::ImageEncoder;
 use image::codecs::png::PngEncoder;
-use indicatif::{ProgressBar, ProgressStyle};
-use std::io::{self, IsTerminal};
 use std::path::PathBuf;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
-use std::thread;
 use std::time::{Duration, Instant};
-
-/// How often the bar moves. Faster flickers, slower looks stuck.
-const TICK: Duration = Duration::from_millis(100);
 
 /// Render a scene to a PNG file
 #[derive(Args, Debug)]
@@ -82,13 +76,19 @@ impl Render {
 
     fn render(&self, scene: &Scene, load: Duration) -> Result<Rendered, Failure> {
         let progress = Arc::new(Progress::new());
-        stop_on_ctrl_c(&progress);
+        let stopping = Arc::clone(&progress);
+        stop_on_ctrl_c(move || {
+            let again = stopping.cancelled();
+            stopping.cancel();
+            again
+        });
         let pool = rayon::ThreadPoolBuilder::new()
             .num_threads(self.threads.map_or(0, usize::from))
             .build()
             .map_err(|error| Failure::refused(format!("cannot start the threads: {error}")))?;
         let began = Instant::now();
-        let (picture, tally) = with_bar(scene, &progress, || pool.install(|| render(scene, &progress)));
+        let (picture, tally) =
+            with_bar(pixels(scene), || progress.done(), || pool.install(|| render(scene, &progress)));
         Ok(Rendered {
             interrupted: progress.cancelled() && picture.computed() < pixels(scene),
             picture,
@@ -129,49 +129,6 @@ impl Render {
 
 fn pixels(scene: &Scene) -> usize {
     scene.image.width as usize * scene.image.height as usize
-}
-
-/// The first Ctrl-C asks the renderer to stop, the second ends the program.
-fn stop_on_ctrl_c(progress: &Arc<Progress>) {
-    let progress = Arc::clone(progress);
-    // Without a handler Ctrl-C ends the program at once, and nothing is written: no reason not to render.
-    let _ = ctrlc::set_handler(move || {
-        if progress.cancelled() {
-            std::process::exit(130);
-        }
-        progress.cancel();
-    });
-}
-
-/// Does the work while a bar shows the time left, if there is a terminal to show it on.
-fn with_bar<T>(scene: &Scene, progress: &Progress, work: impl FnOnce() -> T) -> T {
-    if !io::stderr().is_terminal() {
-        return work();
-    }
-    let finished = AtomicBool::new(false);
-    thread::scope(|scope| {
-        let watch = || draw_bar(pixels(scene) as u64, progress, &finished);
-        // Without a thread for it there is no bar, and the picture is rendered all the same.
-        let bar = thread::Builder::new().spawn_scoped(scope, watch).ok();
-        let result = work();
-        finished.store(true, Ordering::Release);
-        if let Some(bar) = bar {
-            bar.thread().unpark();
-        }
-        result
-    })
-}
-
-fn draw_bar(total: u64, progress: &Progress, finished: &AtomicBool) {
-    let bar = ProgressBar::new(total);
-    if let Ok(style) = ProgressStyle::with_template("{wide_bar} {percent}%, {eta} left") {
-        bar.set_style(style);
-    }
-    while !finished.load(Ordering::Acquire) {
-        bar.set_position(progress.done() as u64);
-        thread::park_timeout(TICK);
-    }
-    bar.finish_and_clear();
 }
 
 fn png(picture: &Picture) -> Result<Vec<u8>, Failure> {

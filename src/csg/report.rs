@@ -113,5 +113,6 @@ fn edge(leaf: &Leaf, boundary: &Boundary) -> Edge {
         name: leaf.name.clone(),
         part: leaf.part(boundary).to_owned(),
         flipped: boundary.flipped,
+        certificate: boundary.certificate,
     }
 }

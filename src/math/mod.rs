@@ -3,19 +3,19 @@
 mod alone;
 mod double_double;
 mod elementary;
-mod polynomial;
 mod quadratic;
 mod range;
 mod real;
+mod root_between;
 mod traced;
 mod wide_map;
 
 pub use alone::Alone;
 pub use double_double::DoubleDouble;
 pub use elementary::{exp, ln};
-pub use polynomial::{Quartic, Separators, evaluate, root_between};
 pub use quadratic::Quadratic;
 pub use range::Range;
-pub use real::{Real, dot, scale_to_unit};
+pub use real::{Real, cross, dot, scale_to_unit};
+pub use root_between::root_between;
 pub use traced::{Traced, counted};
 pub use wide_map::WideMap;

@@ -175,16 +175,23 @@ pub fn dot<A: Real>(a: [A; 3], b: [A; 3]) -> A {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
+/// The vector product.
+pub fn cross<A: Real>(a: [A; 3], b: [A; 3]) -> [A; 3] {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
 /// The power of two that brings the largest component of `v` into [1, 2), so that squares neither overflow nor vanish.
 ///
 /// Multiplying by a power of two is exact. Zero and non-finite vectors get 1.
 #[must_use]
+#[inline]
 pub fn scale_to_unit(v: [f64; 3]) -> f64 {
     let largest = v[0].abs().max(v[1].abs()).max(v[2].abs());
     if !largest.is_finite() || largest == 0.0 {
         return 1.0;
     }
-    let exponent = ((largest.to_bits() >> 52) & 0x7ff) as i32 - 1023;
-    // The two ends of the range, subnormals among them, have no normal reciprocal.
-    2.0_f64.powi((-exponent).clamp(-1022, 1023))
+    // The exponents of a number and of its reciprocal add up to twice the bias. The two ends of the range, subnormals among
+    // them, have no normal reciprocal.
+    let exponent = (largest.to_bits() >> 52) & 0x7ff;
+    f64::from_bits((2046 - exponent).clamp(1, 2046) << 52)
 }

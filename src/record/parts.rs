@@ -188,6 +188,8 @@ pub struct Edge {
     pub part: String,
     /// Whether the leaf is subtracted, so that its normal is turned round.
     pub flipped: bool,
+    /// How surely it is known to exist.
+    pub certificate: Certificate,
 }
 
 /// An inside interval along the ray. A missing end is unbounded.

@@ -144,6 +144,8 @@ pub enum What {
         tiers: Vec<Tier>,
         /// How far the deciding number moves when the ray's own numbers move by half a unit in their last places.
         input_doubt: f64,
+        /// The hit time near which it hangs; none where it is about the whole ray.
+        near: Option<f64>,
         /// How surely the answer is known.
         certificate: Certificate,
     },
@@ -178,6 +180,14 @@ pub enum What {
         combined: Vec<Span>,
         /// Why the work ended early, if it did.
         early_out: Option<String>,
+    },
+    /// A spawned ray that rounding had set down on the wrong side of the surface that it left: the object was asked again
+    /// from a start beside it.
+    Moved {
+        /// The object.
+        object: String,
+        /// How far the start was moved along the normal.
+        by: f64,
     },
     /// A hit that is not the one that is seen.
     Rejected {

@@ -14,7 +14,42 @@ pub(super) struct Root {
     pub part: Part,
 }
 
-/// A few roots, ascending, without a heap.
+/// The roots of a solver, ascending, on their way to becoming crossings.
+pub(super) trait Boundaries {
+    /// Appends them to a primitive's crossings, where `first` is what the first of them does.
+    ///
+    /// Roots that fall on the same number in pairs bound nothing that has a length, and are left out. So far away that
+    /// squares overflow nothing is known, and nothing is hit. Near a tangent the bound on the error grows without limit, but
+    /// two boundaries that were told apart do not change places: neither is off by more than half the distance to the other.
+    fn append(self, first: Sense, t_per_tau: f64, certificate: Certificate, crossings: &mut Vec<Crossing>);
+}
+
+/// At most one, of a surface that a line meets once.
+impl Boundaries for Option<Root> {
+    #[inline]
+    fn append(self, first: Sense, t_per_tau: f64, certificate: Certificate, crossings: &mut Vec<Crossing>) {
+        let crossing = self.map(|root| crossing(root, t_per_tau, first, certificate));
+        crossings.extend(crossing.filter(|crossing| !crossing.t.is_nan()));
+    }
+}
+
+/// None or two, of a convex solid.
+impl Boundaries for Option<[Root; 2]> {
+    #[inline]
+    fn append(self, first: Sense, t_per_tau: f64, certificate: Certificate, crossings: &mut Vec<Crossing>) {
+        let Some([near, far]) = self else { return };
+        let (mut enter, mut leave) =
+            (crossing(near, t_per_tau, first, certificate), crossing(far, t_per_tau, opposite(first), certificate));
+        if enter.t < leave.t {
+            let room = 0.5 * (leave.t - enter.t);
+            enter.error = smaller(enter.error, room);
+            leave.error = smaller(leave.error, room);
+            crossings.extend_from_slice(&[enter, leave]);
+        }
+    }
+}
+
+/// A few roots without a heap.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Roots<const N: usize> {
     items: [Root; N],
@@ -36,28 +71,26 @@ impl<const N: usize> Roots<N> {
     }
 }
 
-impl Roots<2> {
-    /// Both, or none.
-    #[inline]
-    pub fn pair(ends: Option<[Root; 2]>) -> Self {
-        match ends {
-            Some(items) => Self { items, count: 2 },
-            None => Self::new(),
-        }
-    }
-}
-
 impl<const N: usize> AsRef<[Root]> for Roots<N> {
     fn as_ref(&self) -> &[Root] {
         &self.items[..self.count]
     }
 }
 
-/// Appends the crossings of a primitive, given its roots in ascending order and what the first of them does.
-///
-/// Roots that fall on the same number in pairs bound nothing that has a length, and are left out. So far away that squares
-/// overflow nothing is known, and nothing is hit.
-#[inline]
+impl<const N: usize> Boundaries for Roots<N> {
+    #[inline]
+    fn append(self, first: Sense, t_per_tau: f64, certificate: Certificate, crossings: &mut Vec<Crossing>) {
+        append_alternating(self.as_ref(), first, t_per_tau, certificate, crossings);
+    }
+}
+
+impl<const N: usize> Boundaries for &Roots<N> {
+    fn append(self, first: Sense, t_per_tau: f64, certificate: Certificate, crossings: &mut Vec<Crossing>) {
+        append_alternating(self.as_ref(), first, t_per_tau, certificate, crossings);
+    }
+}
+
+/// Appends any number of roots.
 pub(super) fn append_alternating(
     roots: &[Root],
     first: Sense,
@@ -65,50 +98,50 @@ pub(super) fn append_alternating(
     certificate: Certificate,
     crossings: &mut Vec<Crossing>,
 ) {
-    if roots.iter().any(|root| root.tau.is_nan()) {
-        return;
-    }
     let start = crossings.len();
-    let mut sense = first;
+    let (mut sense, mut before) = (first, f64::NEG_INFINITY);
     for root in roots {
-        let crossing = crossing(*root, t_per_tau, sense, certificate);
-        let before = crossings.get(start..).and_then(<[Crossing]>::last);
-        if before.is_some_and(|before| before.t >= crossing.t) {
-            crossings.pop();
-        } else {
+        let mut crossing = crossing(*root, t_per_tau, sense, certificate);
+        if crossing.t > before {
+            let room = 0.5 * (crossing.t - before);
+            if let Some(last) = crossings[start..].last_mut() {
+                last.error = smaller(last.error, room);
+            }
+            crossing.error = smaller(crossing.error, room);
+            before = crossing.t;
             crossings.push(crossing);
+        } else if crossing.t.is_nan() {
+            crossings.truncate(start);
+            return;
+        } else {
+            crossings.pop();
+            before = crossings[start..].last().map_or(f64::NEG_INFINITY, |last| last.t);
         }
-        sense = match sense {
-            Sense::Enter => Sense::Leave,
-            Sense::Leave => Sense::Enter,
-            Sense::Touch => Sense::Touch,
-        };
+        sense = opposite(sense);
     }
-    cap_errors(&mut crossings[start..]);
+}
+
+/// What the next crossing does.
+#[inline]
+const fn opposite(sense: Sense) -> Sense {
+    match sense {
+        Sense::Enter => Sense::Leave,
+        Sense::Leave => Sense::Enter,
+        Sense::Touch => Sense::Touch,
+    }
+}
+
+/// The smaller one, `b` where `a` is not a number.
+#[inline]
+fn smaller(a: f64, b: f64) -> f64 {
+    if a < b { a } else { b }
 }
 
 /// A root as a crossing.
 ///
 /// A hit time too large for a number (the direction is next to nothing) becomes the largest one.
 #[inline]
-pub(super) fn crossing(root: Root, t_per_tau: f64, sense: Sense, certificate: Certificate) -> Crossing {
-    Crossing {
-        t: (root.tau * t_per_tau).clamp(f64::MIN, f64::MAX),
-        error: root.error * t_per_tau,
-        sense,
-        part: root.part,
-        certificate,
-    }
-}
-
-/// Near a tangent the bound grows without limit, but two boundaries that were told apart do not change places: neither
-/// is off by more than half the distance to the other.
-#[inline]
-fn cap_errors(crossings: &mut [Crossing]) {
-    for i in 1..crossings.len() {
-        let half = 0.5 * (crossings[i].t - crossings[i - 1].t);
-        for crossing in &mut crossings[i - 1..=i] {
-            crossing.error = crossing.error.min(half);
-        }
-    }
+fn crossing(root: Root, t_per_tau: f64, sense: Sense, certificate: Certificate) -> Crossing {
+    let t = (root.tau * t_per_tau).clamp(f64::MIN, f64::MAX);
+    Crossing { t, error: root.error * t_per_tau, sense, part: root.part, certificate }
 }

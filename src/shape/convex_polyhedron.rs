@@ -22,9 +22,12 @@
 //! **Source** Cyrus and Beck, Computers & Graphics 3 (1978); Haines, Graphics Gems II, "Fast ray–convex polyhedron
 //! intersection".
 
-use super::{Bounds, Crossing, GenericRay, Part, Primitive, outline, planes};
+use super::boundary::Boundaries;
+use super::planes::{self, Clip};
+use super::solver::{self, Attempt, Call, Solver};
+use super::{Bounds, Crossing, GenericRay, Part, Primitive, outline, plane_table};
 use crate::math::{DoubleDouble, Real, dot, scale_to_unit};
-use crate::record::Recorder;
+use crate::record::{Candidate, Entry, Recorder};
 use glam::{DVec2, DVec3};
 
 pub use super::planes::HalfSpace;
@@ -138,9 +141,9 @@ fn edges(planes: &[HalfSpace]) -> Vec<[DVec3; 2]> {
         for j in 0..i {
             let Some(line) = meeting_line(&planes[i], &planes[j]) else { continue };
             let others = planes.iter().copied().enumerate().filter(|(k, _)| *k != i && *k != j);
-            let clip = planes::clip(&line, others);
+            let clip = planes::clip(&line, others, |_| ()).found;
             let (true, Some(from), Some(to)) = (clip.hits, clip.enter, clip.leave) else { continue };
-            let edge = [from, to].map(|root| line.point(DoubleDouble::from_f64(root.tau)));
+            let edge = [from, to].map(|end| line.point(end.time));
             if !edges.iter().any(|known| same_edge(known, &edge)) {
                 edges.push(edge);
             }
@@ -187,9 +190,33 @@ fn surely_inside(plane: &HalfSpace, point: DVec3) -> bool {
     plane.offset - products.element_sum() > doubt
 }
 
+impl Solver for ConvexPolyhedron {
+    type Found<A: Real> = Clip<A>;
+
+    fn solve<A: Real>(&self, ray: &GenericRay<A>) -> Attempt<Clip<A>> {
+        planes::clip(ray, self.planes.iter().copied().enumerate(), |_| ())
+    }
+
+    fn closest_call<A: Real>(&self, ray: &GenericRay<A>, clip: &Clip<A>) -> Call {
+        clip.closest_call(ray, &self.planes)
+    }
+
+    fn roots<A: Real>(&self, ray: &GenericRay<A>, clip: &Clip<A>) -> impl Boundaries {
+        clip.roots(ray, &self.planes)
+    }
+
+    fn working<A: Real>(&self, ray: &GenericRay<A>, _: &Clip<A>) -> Vec<Entry> {
+        vec![plane_table::table(&self.planes, &self.parts(), ray)]
+    }
+
+    fn rejected<A: Real>(&self, ray: &GenericRay<A>, _: &Clip<A>, crossings: &[Crossing]) -> Vec<Candidate> {
+        plane_table::rejected(self, &self.planes, ray, crossings)
+    }
+}
+
 impl Primitive for ConvexPolyhedron {
     fn crossings<A: Real>(&self, ray: &GenericRay<A>, recorder: &mut impl Recorder, crossings: &mut Vec<Crossing>) {
-        planes::crossings(self, &self.planes, ray, recorder, crossings);
+        solver::crossings(self, ray, recorder, crossings);
     }
 
     fn normal(&self, _point: DVec3, part: Part) -> DVec3 {

@@ -25,9 +25,11 @@
 //! **Source** Hill, Computer Graphics Using OpenGL, the generic cube; Williams et al., JGT 10(1), 2005, on the cases of
 //! zero and signed zero in c.
 
-use super::{Bounds, Crossing, GenericRay, HalfSpace, Part, Primitive, planes};
+use super::boundary::{Boundaries, Root};
+use super::solver::{self, Attempt, Call, Solver};
+use super::{Bounds, Crossing, GenericRay, HalfSpace, Part, Primitive, plane_table};
 use crate::math::Real;
-use crate::record::Recorder;
+use crate::record::{Candidate, Entry, Recorder};
 use glam::{DVec2, DVec3};
 
 /// The cube from −1 to 1 in x, y and z.
@@ -57,9 +59,142 @@ impl Cube {
     }
 }
 
+/// The stretch of the ray between the three pairs of parallel faces.
+pub(super) struct Passage<A> {
+    enter: Slab<A>,
+    leave: Slab<A>,
+    hits: bool,
+    beside: Beside,
+}
+
+/// The latest entering or earliest leaving time, and the axis across which it passes a face.
+#[derive(Clone, Copy)]
+struct Slab<A> {
+    axis: usize,
+    time: A,
+    /// Bounds of the true latest or earliest time, whichever face's it is.
+    low: A,
+    high: A,
+}
+
+/// 1 − |S| across the axis along which the ray does not move, where that is smallest.
+#[derive(Clone, Copy)]
+struct Beside {
+    axis: usize,
+    room: f64,
+    doubt: f64,
+}
+
+impl Beside {
+    /// The ray moves along every axis.
+    const NONE: Self = Self { axis: 0, room: f64::INFINITY, doubt: 0.0 };
+
+    fn is_beyond_doubt(&self) -> bool {
+        self.room.abs() > self.doubt
+    }
+}
+
+impl Cube {
+    /// The face on the negative and on the positive side of each axis.
+    const FACES: [[Part; 2]; 3] = [[3, 2], [1, 0], [5, 4]];
+
+    /// The face through which the ray goes in or out across an axis.
+    #[inline]
+    fn root<A: Real>(ray: &GenericRay<A>, axis: usize, enters: bool) -> Root {
+        let (s, c) = (ray.origin[axis], ray.direction[axis]);
+        let positive = (c < A::ZERO) == enters;
+        let face = if positive { A::ONE } else { -A::ONE };
+        let tau = ((face - s) / c).to_f64();
+        let moved = ray.origin_size[axis] + tau.abs() * ray.direction_size[axis];
+        let error = ray.error_of_time(moved / c.abs().to_f64(), tau);
+        Root { tau, error, part: Self::FACES[axis][usize::from(positive)] }
+    }
+}
+
+impl Solver for Cube {
+    type Found<A: Real> = Passage<A>;
+
+    #[inline]
+    fn solve<A: Real>(&self, ray: &GenericRay<A>) -> Attempt<Passage<A>> {
+        let infinity = A::from_f64(f64::INFINITY);
+        let mut enter = Slab { axis: 0, time: -infinity, low: -infinity, high: -infinity };
+        let mut leave = Slab { axis: 0, time: infinity, low: infinity, high: infinity };
+        let (mut beside, mut cancels) = (Beside::NONE, false);
+        for axis in 0..3 {
+            let (s, c) = (ray.origin[axis], ray.direction[axis]);
+            if c.abs().to_f64() <= 4.0 * A::UNIT_ROUNDOFF * ray.direction_size[axis] {
+                let room = (A::ONE - s.abs()).to_f64();
+                if room < beside.room {
+                    beside = Beside { axis, room, doubt: 4.0 * A::UNIT_ROUNDOFF * ray.origin_size[axis] };
+                }
+                // What is zero only by cancellation is not known to be zero.
+                cancels |= ray.direction_size[axis] > 0.0;
+                continue;
+            }
+            let inverse = A::ONE / c;
+            let (middle, half) = (-(s * inverse), inverse.abs());
+            let farthest = (middle.abs() + half).to_f64();
+            let moved = ray.origin_size[axis] + farthest * ray.direction_size[axis];
+            let error = A::from_f64(4.0 * A::UNIT_ROUNDOFF * moved) * half;
+            let (near, far) = (middle - half, middle + half);
+            if near > enter.time {
+                (enter.axis, enter.time) = (axis, near);
+            }
+            if far < leave.time {
+                (leave.axis, leave.time) = (axis, far);
+            }
+            enter = Slab { low: enter.low.max(near - error), high: enter.high.max(near + error), ..enter };
+            leave = Slab { low: leave.low.min(far - error), high: leave.high.min(far + error), ..leave };
+        }
+        let surely = enter.high < leave.low;
+        let between = if A::DOUBT_IS_ZERO { surely } else { enter.time < leave.time };
+        let decided = (surely || enter.low > leave.high) && beside.is_beyond_doubt() && !cancels;
+        let hits = between && (beside.room >= 0.0 || A::DOUBT_IS_ZERO && !beside.is_beyond_doubt());
+        Attempt { found: Passage { enter, leave, hits, beside }, decided }
+    }
+
+    fn closest_call<A: Real>(&self, ray: &GenericRay<A>, passage: &Passage<A>) -> Call {
+        let Passage { enter, leave, beside, .. } = passage;
+        let moved = |slab: &Slab<A>| {
+            let sway = ray.sway(slab.time.to_f64())[slab.axis];
+            f64::UNIT_ROUNDOFF * sway / ray.direction[slab.axis].abs().to_f64()
+        };
+        let order = Call {
+            question: "Does the ray enter the last face before it leaves the first?",
+            value: (leave.time - enter.time).to_f64(),
+            doubt: 0.5 * ((leave.high - leave.low) + (enter.high - enter.low)).to_f64(),
+            input_doubt: moved(enter) + moved(leave),
+            near: 0.5 * (enter.time + leave.time).to_f64(),
+        };
+        let side = Call {
+            question: "Does the ray run between the faces that it does not approach?",
+            value: beside.room,
+            doubt: beside.doubt,
+            input_doubt: f64::UNIT_ROUNDOFF * ray.origin_size[beside.axis],
+            near: order.near,
+        };
+        order.closer(side)
+    }
+
+    #[inline]
+    fn roots<A: Real>(&self, ray: &GenericRay<A>, passage: &Passage<A>) -> impl Boundaries {
+        let Passage { enter, leave, .. } = passage;
+        passage.hits.then(|| [Self::root(ray, enter.axis, true), Self::root(ray, leave.axis, false)])
+    }
+
+    fn working<A: Real>(&self, ray: &GenericRay<A>, _: &Passage<A>) -> Vec<Entry> {
+        vec![plane_table::table(&PLANES, &self.parts(), ray)]
+    }
+
+    fn rejected<A: Real>(&self, ray: &GenericRay<A>, _: &Passage<A>, crossings: &[Crossing]) -> Vec<Candidate> {
+        plane_table::rejected(self, &PLANES, ray, crossings)
+    }
+}
+
 impl Primitive for Cube {
+    #[inline]
     fn crossings<A: Real>(&self, ray: &GenericRay<A>, recorder: &mut impl Recorder, crossings: &mut Vec<Crossing>) {
-        planes::crossings(self, &PLANES, ray, recorder, crossings);
+        solver::crossings(self, ray, recorder, crossings);
     }
 
     fn normal(&self, _point: DVec3, part: Part) -> DVec3 {

@@ -13,6 +13,7 @@ mod cylinder;
 mod gauge;
 mod outline;
 mod plane;
+mod plane_table;
 mod planes;
 mod primitive;
 mod report;
@@ -28,7 +29,10 @@ mod tapered_cylinder;
 mod tapered_wall;
 #[cfg(test)]
 mod testing;
+pub mod textbook;
 mod torus;
+mod torus_quartic;
+mod torus_roots;
 
 pub use convex_polyhedron::{ConvexPolyhedron, HalfSpace};
 pub use cube::Cube;

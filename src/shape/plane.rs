@@ -19,9 +19,11 @@
 //!
 //! **Source** Hill, Computer Graphics Using OpenGL, ray tracing, the generic plane.
 
-use super::{Bounds, Crossing, GenericRay, Part, Primitive, boundary, boundary::Root, planes, report};
+use super::boundary::{Boundaries, Root};
+use super::solver::{self, Attempt, Call, Solver};
+use super::{Bounds, Crossing, GenericRay, Part, Primitive, plane_table};
 use crate::math::Real;
-use crate::record::{Certificate, Recorder, Sense};
+use crate::record::{Candidate, Entry, Recorder, Sense};
 use glam::{DVec2, DVec3};
 
 /// The half-space z ≤ 0.
@@ -38,21 +40,51 @@ impl Plane {
     }
 }
 
+impl Solver for Plane {
+    /// The one hit time, if there is one.
+    type Found<A: Real> = Option<A>;
+
+    #[inline]
+    fn solve<A: Real>(&self, ray: &GenericRay<A>) -> Attempt<Option<A>> {
+        let tau = -ray.origin[2] / ray.direction[2];
+        let crosses = ray.direction[2] != A::ZERO && (tau.to_f64() * ray.t_per_tau).is_finite();
+        Attempt { found: crosses.then_some(tau), decided: self.closest_call(ray, &None).is_beyond_doubt() }
+    }
+
+    #[inline]
+    fn closest_call<A: Real>(&self, ray: &GenericRay<A>, _: &Option<A>) -> Call {
+        Call {
+            question: "Does the ray rise through the plane, c_z > 0?",
+            value: ray.direction[2].to_f64(),
+            doubt: 4.0 * A::UNIT_ROUNDOFF * ray.direction_size[2],
+            input_doubt: f64::UNIT_ROUNDOFF * ray.direction_size[2],
+            near: -(ray.origin[2] / ray.direction[2]).to_f64(),
+        }
+    }
+
+    fn first_sense<A: Real>(&self, ray: &GenericRay<A>) -> Sense {
+        if ray.direction[2] > A::ZERO { Sense::Leave } else { Sense::Enter }
+    }
+
+    fn roots<A: Real>(&self, ray: &GenericRay<A>, time: &Option<A>) -> impl Boundaries {
+        time.map(|tau| {
+            let tau = tau.to_f64();
+            Root { tau, error: ray.root_error([0.0, 0.0, 1.0], tau), part: 0 }
+        })
+    }
+
+    fn working<A: Real>(&self, ray: &GenericRay<A>, _: &Option<A>) -> Vec<Entry> {
+        vec![plane_table::single_row(ray, "surface")]
+    }
+
+    fn rejected<A: Real>(&self, _: &GenericRay<A>, _: &Option<A>, _: &[Crossing]) -> Vec<Candidate> {
+        Vec::new()
+    }
+}
+
 impl Primitive for Plane {
     fn crossings<A: Real>(&self, ray: &GenericRay<A>, recorder: &mut impl Recorder, crossings: &mut Vec<Crossing>) {
-        let begin = crossings.len();
-        let tau = (-ray.origin[2] / ray.direction[2]).to_f64();
-        let crosses = ray.direction[2] != A::ZERO && (tau * ray.t_per_tau).is_finite();
-        if crosses {
-            let sense = if ray.direction[2] > A::ZERO { Sense::Leave } else { Sense::Enter };
-            let error = ray.root_error([0.0, 0.0, 1.0], tau);
-            let root = Root { tau, error, part: 0 };
-            crossings.push(boundary::crossing(root, ray.t_per_tau, sense, Certificate::Certain));
-        }
-        let found = &crossings[begin..];
-        recorder.note(|| planes::single_row(ray, "surface"));
-        recorder.note(|| report::implicit(self, ray, found));
-        recorder.note(|| report::roots(self, ray, found, Vec::new()));
+        solver::crossings(self, ray, recorder, crossings);
     }
 
     fn normal(&self, _point: DVec3, _part: Part) -> DVec3 {

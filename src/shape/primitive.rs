@@ -199,8 +199,15 @@ impl<'a, A: Real> GenericRay<'a, A> {
     pub fn error_for_slope(&self, gradient: [f64; 3], slope: f64, tau: f64) -> f64 {
         let [x, y, z] = self.sway(tau);
         let moved = gradient[0].abs() * x + gradient[1].abs() * y + gradient[2].abs() * z;
+        self.error_of_time(moved / slope.abs(), tau)
+    }
+
+    /// The same, where it is known that τ moves by `moved` when the ray's numbers move by one part in one.
+    #[must_use]
+    #[inline]
+    pub fn error_of_time(&self, moved: f64, tau: f64) -> f64 {
         // Four roundings of the arithmetic, and those of the numbers that were given.
-        (4.0 * A::UNIT_ROUNDOFF + f64::UNIT_ROUNDOFF) * (moved / slope.abs() + tau.abs())
+        (4.0 * A::UNIT_ROUNDOFF + f64::UNIT_ROUNDOFF) * (moved + tau.abs())
     }
 }
 

@@ -24,11 +24,11 @@ pub(super) fn measured<A: Real>(x: A, power_of_two: f64) -> Measured<f64> {
 }
 
 /// A vector with the accuracy of its worst coordinate.
-pub(super) fn measured_vector<A: Real>(v: [A; 3]) -> Measured<Triple> {
-    let value = v.map(Real::to_f64);
+pub(super) fn measured_vector<A: Real>(v: [A; 3], power_of_two: f64) -> Measured<Triple> {
+    let value = v.map(|x| x.to_f64() * power_of_two);
     let size = value.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
     let error = v.iter().filter_map(|x| x.error()).reduce(f64::max);
-    Measured { value, accuracy: error.map(|error| accuracy::<A>(error, size)) }
+    Measured { value, accuracy: error.map(|error| accuracy::<A>(error * power_of_two, size)) }
 }
 
 /// An error, and the digits that it takes from a number of this size.

@@ -9,7 +9,7 @@
 //! Source: J. R. Shewchuk, "Adaptive precision floating-point arithmetic and fast robust geometric predicates", Discrete &
 //! Computational Geometry 18 (1997), for filters in front of dearer arithmetic.
 
-use super::boundary::{self, Root};
+use super::boundary::Boundaries;
 use super::{Crossing, GenericRay, Primitive, report};
 use crate::math::{Real, Traced, counted};
 use crate::record::{Candidate, Certificate, Entry, Recorder, Sense, Tier, What};
@@ -33,9 +33,22 @@ pub(super) struct Call {
     pub doubt: f64,
     /// How far it moves when the ray's own numbers move by half a unit in their last places.
     pub input_doubt: f64,
+    /// The place on the ray that it is about, in τ.
+    pub near: f64,
 }
 
 impl Call {
+    /// Whether rounding cannot have turned the sign.
+    #[inline]
+    pub fn is_beyond_doubt(&self) -> bool {
+        self.value.abs() > self.doubt || self.doubt == 0.0
+    }
+
+    /// Whether the ray's own numbers leave the sign open.
+    fn is_undecidable(&self) -> bool {
+        self.value.abs() <= self.input_doubt && self.input_doubt > 0.0
+    }
+
     /// Of two calls the closer one.
     pub fn closer(self, other: Self) -> Self {
         let room = |call: &Self| call.value.abs() / call.input_doubt;
@@ -60,7 +73,7 @@ pub(super) trait Solver: Primitive + Sized {
     }
 
     /// The places where the ray crosses the surface, ascending.
-    fn roots<A: Real>(&self, ray: &GenericRay<A>, found: &Self::Found<A>) -> impl AsRef<[Root]>;
+    fn roots<A: Real>(&self, ray: &GenericRay<A>, found: &Self::Found<A>) -> impl Boundaries;
 
     /// The working, as it is shown.
     fn working<A: Real>(&self, ray: &GenericRay<A>, found: &Self::Found<A>) -> Vec<Entry>;
@@ -110,7 +123,7 @@ fn fall_back<A: Real, R: Recorder>(
 
 /// How sure an answer is that the first arithmetic could not give.
 fn verdict(call: &Call) -> Certificate {
-    if call.value.abs() <= call.input_doubt { Certificate::Undecidable } else { Certificate::Fallback }
+    if call.is_undecidable() { Certificate::Undecidable } else { Certificate::Fallback }
 }
 
 /// Appends the crossings, and tells all about them; `tiers` are the attempts, the last of which decided.
@@ -125,26 +138,28 @@ fn deliver<S: Solver, A: Real, R: Recorder>(
     tiers: impl FnOnce() -> Vec<(Tier, Call)>,
 ) {
     let begin = crossings.len();
-    let (roots, sense) = (solver.roots(ray, found), solver.first_sense(ray));
-    boundary::append_alternating(roots.as_ref(), sense, ray.t_per_tau, certificate, crossings);
+    solver.roots(ray, found).append(solver.first_sense(ray), ray.t_per_tau, certificate, crossings);
     if R::RECORDING {
         let own = &crossings[begin..];
         let traced = ray.traced();
         for entry in solver.working(&traced, &solver.solve(&traced).found) {
             recorder.note(|| entry);
         }
-        recorder.note(|| decision(tiers(), certificate));
+        recorder.note(|| decision(tiers(), ray.t_per_tau, certificate));
         recorder.note(|| solver.signs(ray, found, own));
         recorder.note(|| report::roots(solver, ray, own, solver.rejected(ray, found, own)));
     }
 }
 
 /// The closest decision, as every arithmetic that was tried saw it.
-fn decision(tiers: Vec<(Tier, Call)>, certificate: Certificate) -> Entry {
-    let (question, input_doubt) =
-        tiers.last().map(|(_, call)| (call.question.to_owned(), call.input_doubt)).unwrap_or_default();
+fn decision(tiers: Vec<(Tier, Call)>, t_per_tau: f64, certificate: Certificate) -> Entry {
+    let (question, input_doubt, near) = tiers
+        .last()
+        .map(|(_, call)| (call.question.to_owned(), call.input_doubt, call.near * t_per_tau))
+        .unwrap_or_default();
     let tiers = tiers.into_iter().map(|(tier, _)| tier).collect();
-    Entry::new(What::Decision { question, tiers, input_doubt, certificate })
+    let near = near.is_finite().then_some(near);
+    Entry::new(What::Decision { question, tiers, input_doubt, near, certificate })
 }
 
 /// One arithmetic's attempt, with what it took.

@@ -11,23 +11,24 @@
 //! ```
 //! **Equation** F = x² + y² + z² − 1.
 //!
-//! **Ray equation** With t measured from the foot of the perpendicular, t₀ = −(S·c) / (c·c), and l = S + c t₀, it is
-//! A (t − t₀)² + 2 B (t − t₀) + C = 0 with A = c·c, B = c·l and C = l·l − 1. B is zero but for the rounding of t₀, so the
-//! discriminant is −A C, and B only shifts the middle of the chord.
+//! **Ray equation** A t² + 2 B t + C = 0 with A = c·c, B = S·c and C = S·S − 1. With m = S × c Lagrange's identity gives
+//! the discriminant without the squares of a far S: B² − A C = A − m·m, for |m| / |c| is the distance of the ray from the
+//! middle.
 //!
-//! **Accuracy** Without the foot the squares of a far S cancel, and digits are lost with the square of the distance. With
-//! it, errors are those of S itself: about u |S| in l. Where these hide whether the ray touches, C is worked out
-//! again with 32 digits. Grazing rays set the bound: t moves by the error of l over the sine of the grazing angle.
+//! **Accuracy** B² − A C loses digits with the square of the distance; A − m·m does not: its errors are those of S itself,
+//! about u |S| |c| in m, as if S stood at the foot of the perpendicular. Where these hide whether the ray touches, all is
+//! worked out again with 32 digits. What cancels in B is made good by a second step from the point at −B / A. Grazing rays
+//! set the bound: t moves by the error of the distance over the sine of the grazing angle.
 //!
 //! **Degenerate cases** A tangent touches in one point and has no hits.
 //!
 //! **Source** Haines, Günther, Akenine-Möller, "Precision improvements for ray/sphere intersection", Ray Tracing Gems
 //! (2019), ch. 7; Pharr, Jakob, Humphreys, Physically Based Rendering, 4th ed., § 6.8.
 
-use super::boundary::{Root, Roots};
+use super::boundary::{Boundaries, Root};
 use super::solver::{self, Attempt, Call, Solver};
 use super::{Bounds, Crossing, GenericRay, Part, Primitive, outline, report};
-use crate::math::{Real, dot};
+use crate::math::{Real, cross, dot};
 use crate::record::{Candidate, Entry, Recorder, Value, What};
 use glam::{DVec2, DVec3};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
@@ -46,25 +47,30 @@ impl Sphere {
     }
 }
 
-/// The quadratic about the foot, in τ.
+/// The quadratic A τ² + 2 B τ + C = 0, and where its roots lie.
 pub(super) struct Chord<A> {
-    foot: A,
-    /// l, the point at the foot.
-    nearest: [A; 3],
     a: A,
-    /// B, zero but for the rounding of the foot.
     b: A,
-    c: A,
-    /// What rounding can do to C.
+    /// m = S × c: its length is |c| times the distance of the ray from the middle.
+    moment: [A; 3],
+    /// A − m·m, the discriminant B² − A C.
+    discriminant: A,
+    /// What rounding can do to it.
     doubt: f64,
+    hits: bool,
 }
 
 impl<A: Real> Chord<A> {
-    /// −B / A, where the roots have their middle, and half the way between them; none for a miss.
+    /// −B / A and √D / A: the middle of the chord and half its length, in τ.
+    ///
+    /// What cancels in B is made good by a second step: the point at the first middle is near the origin, where nothing
+    /// cancels.
     #[inline]
-    fn middle_and_half(&self) -> Option<[A; 2]> {
-        let touches = A::DOUBT_IS_ZERO && self.c.abs().to_f64() <= self.doubt;
-        (self.c < A::ZERO && !touches).then(|| [self.foot - self.b / self.a, (-self.c / self.a).sqrt()])
+    fn middle_and_half(&self, ray: &GenericRay<A>) -> [A; 2] {
+        let per_a = A::ONE / self.a;
+        let first = -(self.b * per_a);
+        let rest = dot(ray.at(first), ray.direction);
+        [first - rest * per_a, self.discriminant.sqrt() * per_a]
     }
 }
 
@@ -74,38 +80,40 @@ impl Solver for Sphere {
     #[inline]
     fn solve<A: Real>(&self, ray: &GenericRay<A>) -> Attempt<Chord<A>> {
         let a = dot(ray.direction, ray.direction);
-        let foot = -dot(ray.origin, ray.direction) / a;
-        let nearest = ray.at(foot);
-        let b = dot(nearest, ray.direction);
-        let square = dot(nearest, nearest);
-        let c = square - A::ONE;
-        // Each coordinate of l is off by at most four roundings of what it was added up from.
-        let moved = moved(ray, nearest, foot);
-        let doubt = 8.0 * A::UNIT_ROUNDOFF * (moved + square.to_f64() + 1.0);
-        Attempt { decided: c.abs().to_f64() > doubt, found: Chord { foot, nearest, a, b, c, doubt } }
+        let b = dot(ray.origin, ray.direction);
+        let moment = cross(ray.origin, ray.direction);
+        let square = dot(moment, moment);
+        let discriminant = a - square;
+        // Each of the three is off by at most four roundings of the products that it was added up from.
+        let size = sum(moment.map(|m| m.abs().to_f64())) * sum(ray.origin_size) * sum(ray.direction_size);
+        let doubt = 4.0 * A::UNIT_ROUNDOFF * (2.0 * size + square.to_f64() + a.to_f64());
+        let decided = discriminant.abs().to_f64() > doubt;
+        let hits = discriminant > A::ZERO && (decided || !A::DOUBT_IS_ZERO);
+        Attempt { found: Chord { a, b, moment, discriminant, doubt, hits }, decided }
     }
 
     fn closest_call<A: Real>(&self, ray: &GenericRay<A>, chord: &Chord<A>) -> Call {
         Call {
-            question: "Does the ray pass within the radius, C < 0?",
-            value: chord.c.to_f64(),
+            question: "Does the ray pass within the radius, D > 0?",
+            value: chord.discriminant.to_f64(),
             doubt: chord.doubt,
-            input_doubt: 2.0 * f64::UNIT_ROUNDOFF * moved(ray, chord.nearest, chord.foot),
+            input_doubt: 2.0 * f64::UNIT_ROUNDOFF * moved(ray, chord.moment),
+            near: -(chord.b / chord.a).to_f64(),
         }
     }
 
     #[inline]
-    fn roots<A: Real>(&self, ray: &GenericRay<A>, chord: &Chord<A>) -> impl AsRef<[Root]> {
-        let ends = chord.middle_and_half().map(|[middle, half]| {
-            // ∇F · c / 2 = l·c + δ c·c, and l·c is nothing but rounding.
-            let slope = (chord.a * half).to_f64();
+    fn roots<A: Real>(&self, ray: &GenericRay<A>, chord: &Chord<A>) -> impl Boundaries {
+        chord.hits.then(|| {
+            let [middle, half] = chord.middle_and_half(ray);
+            // ∇F · c / 2 is √D, and no coordinate on the sphere is above 1.
+            let per_slope = 1.0 / (half * chord.a).to_f64();
+            let (start, course) = (sum(ray.origin_size) * per_slope, sum(ray.direction_size) * per_slope);
             [middle - half, middle + half].map(|tau| {
-                let at = ray.at(tau).map(Real::to_f64);
                 let tau = tau.to_f64();
-                Root { tau, error: ray.error_for_slope(at, slope, tau), part: 0 }
+                Root { tau, error: ray.error_of_time(start + tau.abs() * course, tau), part: 0 }
             })
-        });
-        Roots::pair(ends)
+        })
     }
 
     fn working<A: Real>(&self, ray: &GenericRay<A>, chord: &Chord<A>) -> Vec<Entry> {
@@ -117,12 +125,17 @@ impl Solver for Sphere {
     }
 }
 
-/// Σ|lᵢ| times how far lᵢ is off when S and c are off by one part in one: half of what C is off by.
+/// Σ|mᵢ| times how far mᵢ is off when S and c are off by one part in one: half of what D is off by.
 #[inline]
-fn moved<A: Real>(ray: &GenericRay<A>, nearest: [A; 3], foot: A) -> f64 {
-    let [x, y, z] = ray.sway(foot.to_f64());
-    let l = nearest.map(|x| x.abs().to_f64());
-    l[0] * x + l[1] * y + l[2] * z
+fn moved<A: Real>(ray: &GenericRay<A>, moment: [A; 3]) -> f64 {
+    let ([x, y, z], [u, v, w]) = (ray.origin_size, ray.direction_size);
+    let [p, q, r] = moment.map(|m| m.abs().to_f64());
+    p * (y * w + z * v) + q * (z * u + x * w) + r * (x * v + y * u)
+}
+
+#[inline]
+fn sum([x, y, z]: [f64; 3]) -> f64 {
+    x + y + z
 }
 
 impl Primitive for Sphere {
@@ -177,20 +190,20 @@ pub(super) fn turn(point: DVec2) -> f64 {
 /// The quadratic in the shared t, with its working.
 fn working<A: Real>(ray: &GenericRay<A>, chord: &Chord<A>) -> Entry {
     let scale = ray.t_per_tau;
-    let (foot, a) = (report::measured(chord.foot, scale), report::measured(chord.a, 1.0 / scale / scale));
-    let (b, c) = (report::measured(chord.b, 1.0 / scale), report::measured(chord.c, 1.0));
-    let discriminant = report::measured(chord.b * chord.b - chord.a * chord.c, 1.0 / scale / scale);
-    let roots = chord.middle_and_half().map(|[middle, half]| [middle - half, middle + half]);
-    let roots: Vec<_> = roots.into_iter().flatten().map(|tau| report::measured(tau, scale)).collect();
-    let nearest = report::measured_vector(chord.nearest);
+    let per_t = 1.0 / scale;
+    let (a, b) = (report::measured(chord.a, per_t * per_t), report::measured(chord.b, per_t));
+    let c = report::measured(dot(ray.origin, ray.origin) - A::ONE, 1.0);
+    let moment = report::measured_vector(chord.moment, per_t);
+    let discriminant = report::measured(chord.discriminant, per_t * per_t);
+    let ends = chord.hits.then(|| chord.middle_and_half(ray)).map(|[middle, half]| [middle - half, middle + half]);
+    let roots: Vec<_> = ends.into_iter().flatten().map(|tau| report::measured(tau, scale)).collect();
     let bindings = [
         ("S", report::start(ray)),
         ("c", report::course(ray)),
-        ("t₀", Value::Number(foot.value)),
-        ("l", Value::Vector(nearest.value)),
         ("A", Value::Number(a.value)),
         ("B", Value::Number(b.value)),
         ("C", Value::Number(c.value)),
+        ("m", Value::Vector(moment.value)),
         ("D", Value::Number(discriminant.value)),
     ];
     let mut entry = Entry::new(What::Quadratic {
@@ -199,22 +212,16 @@ fn working<A: Real>(ray: &GenericRay<A>, chord: &Chord<A>) -> Entry {
         b: b.value,
         c: c.value,
         discriminant: discriminant.value,
-        recentred_at: foot.value,
+        recentred_at: 0.0,
         roots: roots.iter().map(|root| root.value).collect(),
     })
-    .line("t₀", "−(S·c) / (c·c)", &bindings, foot)
-    .line("l", "S + c t₀", &bindings, nearest)
     .line("A", "c·c", &bindings, a)
-    .line("B", "c·l", &bindings, b)
-    .line("C", "l·l − 1", &bindings, c)
-    .line("D", "B² − A C", &bindings, discriminant);
+    .line("B", "S·c", &bindings, b)
+    .line("C", "S·S − 1", &bindings, c)
+    .line("m", "S × c", &bindings, moment)
+    .line("D", "A − m·m", &bindings, discriminant);
     if let [first, second] = roots[..] {
-        entry = entry.line("t₁", "t₀ + (−B − √D) / A", &bindings, first).line(
-            "t₂",
-            "t₀ + (−B + √D) / A",
-            &bindings,
-            second,
-        );
+        entry = entry.line("t₁", "(−B − √D) / A", &bindings, first).line("t₂", "(−B + √D) / A", &bindings, second);
     }
     entry
 }
@@ -269,14 +276,14 @@ mod tests {
     }
 
     #[test]
-    fn the_quadratic_is_shown_about_the_foot() {
+    fn the_quadratic_is_that_of_the_substitution() {
         let (reports, _) = record(&Sphere, DVec3::new(3.0, 0.6, 0.0), DVec3::new(-2.0, 0.0, 0.0));
         let What::Quadratic { a, b, c, discriminant, recentred_at, roots, .. } = &reports[0] else {
             panic!("{reports:?}")
         };
-        // A = 2², C = 0.6² − 1 = −0.64, and t = 1.5 ± 0.8 / 2.
-        assert_eq!((*a, *b, *recentred_at), (4.0, 0.0, 1.5));
-        assert!((c + 0.64).abs() < 1e-15 && (discriminant - 2.56).abs() < 1e-15);
+        // A = 2², B = 3 (−2), C = 3² + 0.6² − 1, m = (0, 0, 1.2), and t = 1.5 ± 0.8 / 2.
+        assert_eq!((*a, *b, *recentred_at), (4.0, -6.0, 0.0));
+        assert!((c - 8.36).abs() < 1e-14 && (discriminant - 2.56).abs() < 1e-15);
         assert!((roots[0] - 1.1).abs() < 1e-15 && (roots[1] - 1.9).abs() < 1e-15);
     }
 

@@ -22,9 +22,11 @@
 //!
 //! **Source** Hill, Computer Graphics Using OpenGL, hit() of the generic square.
 
-use super::{Bounds, Crossing, GenericRay, Part, Primitive, boundary, boundary::Root, planes, report};
+use super::boundary::{Boundaries, Root};
+use super::solver::{self, Attempt, Call, Solver};
+use super::{Bounds, Crossing, GenericRay, Part, Primitive, plane_table, report};
 use crate::math::Real;
-use crate::record::{Candidate, Certificate, Recorder, Sense, format_number};
+use crate::record::{Candidate, Entry, Recorder, Sense, format_number};
 use glam::{DVec2, DVec3};
 
 /// The square z = 0, |x| ≤ 1, |y| ≤ 1.
@@ -41,44 +43,92 @@ impl Square {
     }
 }
 
-/// Whether the ray meets z = 0 within |x| ≤ 1 and |y| ≤ 1; none where rounding hides the answer.
-fn meets_within<A: Real>(ray: &GenericRay<A>) -> Option<bool> {
+/// Where the ray meets the plane of the square.
+pub(super) struct Meeting<A> {
+    tau: A,
+    /// It meets the plane at all.
+    in_plane: bool,
+    /// It meets the square.
+    within: bool,
+}
+
+/// How much room the hit leaves to the nearer pair of sides: |c_z| − |S_x c_z − S_z c_x|, or the same with y.
+fn room<A: Real>(ray: &GenericRay<A>) -> Call {
     let [_, _, s_z] = ray.origin;
     let [_, _, c_z] = ray.direction;
-    let mut within = true;
-    for axis in 0..2 {
+    let [_, _, os_z] = ray.origin_size;
+    let [_, _, ds_z] = ray.direction_size;
+    let side = |axis: usize| {
         let moment = A::difference_of_products(ray.origin[axis], c_z, s_z, ray.direction[axis]).abs();
-        let doubt = 4.0 * A::UNIT_ROUNDOFF * (moment + c_z.abs()).to_f64();
-        if !A::FINEST && (moment - c_z.abs()).abs().to_f64() <= doubt {
-            return None;
+        let size = ray.origin_size[axis] * ds_z + os_z * ray.direction_size[axis] + ds_z;
+        Call {
+            question: "Does the ray meet the plane within the square?",
+            value: (c_z.abs() - moment).to_f64(),
+            doubt: 8.0 * A::UNIT_ROUNDOFF * size,
+            input_doubt: 2.0 * f64::UNIT_ROUNDOFF * size,
+            near: -(s_z / c_z).to_f64(),
         }
-        within &= moment <= c_z.abs();
+    };
+    let (x, y) = (side(0), side(1));
+    // Both have to hold: what fails decides, else the tighter one.
+    if (x.value < 0.0) == (y.value < 0.0) {
+        x.closer(y)
+    } else if x.value < 0.0 {
+        x
+    } else {
+        y
     }
-    Some(within)
+}
+
+impl Solver for Square {
+    type Found<A: Real> = Meeting<A>;
+
+    #[inline]
+    fn solve<A: Real>(&self, ray: &GenericRay<A>) -> Attempt<Meeting<A>> {
+        let tau = -ray.origin[2] / ray.direction[2];
+        let in_plane = ray.direction[2] != A::ZERO && (tau.to_f64() * ray.t_per_tau).is_finite();
+        let room = room(ray);
+        let slope_doubt = 4.0 * A::UNIT_ROUNDOFF * ray.direction_size[2];
+        let slope_known = ray.direction[2].abs().to_f64() > slope_doubt || slope_doubt == 0.0;
+        // A side may be met to the last bit: edges belong to the square.
+        let within = in_plane && (room.value >= 0.0 || A::DOUBT_IS_ZERO && !room.is_beyond_doubt());
+        Attempt { found: Meeting { tau, in_plane, within }, decided: slope_known && room.is_beyond_doubt() }
+    }
+
+    fn closest_call<A: Real>(&self, ray: &GenericRay<A>, _: &Meeting<A>) -> Call {
+        room(ray)
+    }
+
+    fn first_sense<A: Real>(&self, _: &GenericRay<A>) -> Sense {
+        Sense::Touch
+    }
+
+    fn roots<A: Real>(&self, ray: &GenericRay<A>, meeting: &Meeting<A>) -> impl Boundaries {
+        meeting.within.then(|| {
+            let tau = meeting.tau.to_f64();
+            Root { tau, error: ray.root_error([0.0, 0.0, 1.0], tau), part: 0 }
+        })
+    }
+
+    fn working<A: Real>(&self, ray: &GenericRay<A>, _: &Meeting<A>) -> Vec<Entry> {
+        vec![plane_table::single_row(ray, "plane of the square")]
+    }
+
+    fn signs<A: Real>(&self, ray: &GenericRay<A>, meeting: &Meeting<A>, _: &[Crossing]) -> Entry {
+        let roots = if meeting.in_plane { vec![meeting.tau.to_f64() * ray.t_per_tau] } else { Vec::new() };
+        let below = if meeting.in_plane { ray.direction[2] > A::ZERO } else { ray.origin[2] < A::ZERO };
+        report::implicit_with_roots(self, ray, roots, below)
+    }
+
+    fn rejected<A: Real>(&self, ray: &GenericRay<A>, meeting: &Meeting<A>, _: &[Crossing]) -> Vec<Candidate> {
+        let outside = meeting.in_plane && !meeting.within;
+        outside.then(|| outside_candidate(*self, ray, meeting.tau.to_f64())).into_iter().collect()
+    }
 }
 
 impl Primitive for Square {
     fn crossings<A: Real>(&self, ray: &GenericRay<A>, recorder: &mut impl Recorder, crossings: &mut Vec<Crossing>) {
-        let begin = crossings.len();
-        let tau = (-ray.origin[2] / ray.direction[2]).to_f64();
-        let meets_plane = ray.direction[2] != A::ZERO && (tau * ray.t_per_tau).is_finite();
-        let within = meets_plane && meets_within(ray).or_else(|| meets_within(&ray.widen())).unwrap_or(false);
-        if within {
-            let error = ray.root_error([0.0, 0.0, 1.0], tau);
-            let root = Root { tau, error, part: 0 };
-            crossings.push(boundary::crossing(root, ray.t_per_tau, Sense::Touch, Certificate::Certain));
-        }
-        let found = &crossings[begin..];
-        recorder.note(|| planes::single_row(ray, "plane of the square"));
-        recorder.note(|| {
-            let roots = if meets_plane { vec![tau * ray.t_per_tau] } else { Vec::new() };
-            let below = if meets_plane { ray.direction[2] > A::ZERO } else { ray.origin[2] < A::ZERO };
-            report::implicit_with_roots(self, ray, roots, below)
-        });
-        recorder.note(|| {
-            let rejected = (meets_plane && !within).then(|| outside(*self, ray, tau));
-            report::roots(self, ray, found, rejected.into_iter().collect())
-        });
+        solver::crossings(self, ray, recorder, crossings);
     }
 
     fn normal(&self, _point: DVec3, _part: Part) -> DVec3 {
@@ -112,7 +162,7 @@ impl Primitive for Square {
 }
 
 /// The hit with the plane that is not in the square, with the coordinate that says so.
-fn outside<A: Real>(square: Square, ray: &GenericRay<A>, tau: f64) -> Candidate {
+fn outside_candidate<A: Real>(square: Square, ray: &GenericRay<A>, tau: f64) -> Candidate {
     let point = ray.point(A::from_f64(tau));
     let (name, value) = if point.x.abs() >= point.y.abs() { ("x", point.x) } else { ("y", point.y) };
     let reason = format!("the plane is hit, but outside the square: |{name}| = {} > 1", format_number(value.abs()));

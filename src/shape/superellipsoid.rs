@@ -30,7 +30,7 @@
 //! **Source** A. H. Barr, "Superquadrics and angle-preserving transformations", IEEE CG&A 1(1), 1981; D. P. Mitchell,
 //! "Robust ray intersection with interval arithmetic", Graphics Interface 1990.
 
-use super::boundary::Root;
+use super::boundary::Boundaries;
 use super::gauge::Exponents;
 use super::solver::{self, Attempt, Call, Solver};
 use super::superellipsoid_line::Line;
@@ -44,7 +44,7 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 /// (|x|ⁿ + |y|ⁿ)^(m/n) + |z|ᵐ ≤ 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Superellipsoid {
-    exponents: Exponents,
+    pub(super) exponents: Exponents,
 }
 
 impl Superellipsoid {
@@ -88,11 +88,12 @@ impl Solver for Superellipsoid {
             value: probe.log.exp_m1(),
             doubt: line.doubt(&probe).log,
             input_doubt: line.input_doubt(probe.at),
+            near: (line.foot + probe.at).to_f64(),
         }
     }
 
     #[inline]
-    fn roots<A: Real>(&self, _: &GenericRay<A>, found: &Findings<A>) -> impl AsRef<[Root]> {
+    fn roots<A: Real>(&self, _: &GenericRay<A>, found: &Findings<A>) -> impl Boundaries {
         &found.roots
     }
 

@@ -13,14 +13,15 @@
 //! **Equation** With w = 1 + (s − 1) z, the radius at height z: F = max(x² + y² − w², −z, z − 1).
 //!
 //! **Ray equation** For the wall A t² + 2 B t + C = 0 with d = (s − 1) c_z: A = c_x² + c_y² − d²,
-//! B = S_x c_x + S_y c_y − w d, C = S_x² + S_y² − w², where S is taken at the foot of the perpendicular from the origin. For
+//! B = S_x c_x + S_y c_y − w d, C = S_x² + S_y² − w², where w is that at S. For
 //! the discs t = −S_z / c_z and t = (1 − S_z) / c_z. The solid is convex: inside is where the ray is inside the wall
 //! **and** between the discs, so entering is the later and leaving the earlier of two times. That settles all combinations of
 //! wall, base and cap at once.
 //!
-//! **Accuracy** The discriminant is the sum p² + q² − r² of 2×2 minors of S and c, which cancels less than B² − A C. Where
-//! rounding hides its sign, or which of two times comes first, all is worked out again with 32 digits. The hard case is the
-//! ray along a side of the cone.
+//! **Accuracy** The discriminant is p² + q² − r² with the 2×2 minors p = S_x d − w c_x, q = S_y d − w c_y and
+//! r = S_x c_y − S_y c_x, which cancel less than B² − A C: they are as good at any distance as S itself, so that no
+//! recentring is needed. Where rounding hides its sign, or which of two times comes first, all is worked out again with 32
+//! digits. The hard case is the ray along a side of the cone.
 //!
 //! **Degenerate cases** A = 0: the ray is parallel to a side, and the wall is met once. A < 0: the ray is steeper than the
 //! side; it meets the wall once, and the other nappe of the double cone once, which does not count. A ray through the apex
@@ -28,12 +29,12 @@
 //!
 //! **Source** Hill, Computer Graphics Using OpenGL, the generic tapered cylinder; Numerical Recipes § 5.6 for the roots.
 
-use super::tapered_wall::{End, Wall};
-use super::{
-    Bounds, Crossing, GenericRay, HalfSpace, Part, Primitive, boundary, boundary::Root, outline, planes, report,
-};
-use crate::math::{Quadratic, Real};
-use crate::record::{Candidate, Certificate, Entry, Recorder, Sense, Value, What, format_number};
+use super::boundary::{Boundaries, Root};
+use super::solver::{self, Attempt, Call, Solver};
+use super::tapered_wall::Wall;
+use super::{Bounds, Crossing, GenericRay, HalfSpace, Part, Primitive, outline, plane_table, report};
+use crate::math::Real;
+use crate::record::{Candidate, Entry, Recorder, Sense, Value, What, format_number};
 use glam::{DVec2, DVec3};
 
 pub(super) const WALL: Part = 0;
@@ -43,22 +44,48 @@ const CAP: Part = 2;
 /// Radius 1 at z = 0, radius s at z = 1, closed by discs.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TaperedCylinder {
-    s: f64,
+    pub(super) s: f64,
 }
 
 /// What the solver found, in τ.
-struct Solution {
-    /// Where the ray goes in and out.
-    inside: Option<[Root; 2]>,
-    /// The wall's quadratic about the foot.
-    wall: Quadratic<f64>,
-    foot: f64,
-    /// The point at the foot.
-    nearest: [f64; 3],
-    /// The roots of the wall's quadratic, double cone and all; infinite where A = 0.
-    wall_roots: Option<[f64; 2]>,
-    /// Base and cap times; none where the ray is parallel to them.
-    discs: Option<[f64; 2]>,
+pub(super) struct Solution<A> {
+    wall: Wall<A>,
+    /// The latest entering time.
+    enter: End<A>,
+    /// The earliest leaving time.
+    leave: End<A>,
+    hits: bool,
+}
+
+/// The latest entering or the earliest leaving time.
+#[derive(Clone, Copy)]
+struct End<A> {
+    tau: A,
+    part: Part,
+    /// Bounds of the true latest or earliest time, whichever part's it is.
+    low: A,
+    high: A,
+}
+
+impl<A: Real> End<A> {
+    /// The time at which a part is met, with its error.
+    #[inline]
+    fn new(tau: A, error: f64, part: Part) -> Self {
+        let error = A::from_f64(if tau.is_finite() { error } else { 0.0 });
+        Self { tau, part, low: tau - error, high: tau + error }
+    }
+
+    #[inline]
+    fn later(self, other: Self) -> Self {
+        let (low, high) = (self.low.max(other.low), self.high.max(other.high));
+        Self { low, high, ..if other.tau > self.tau { other } else { self } }
+    }
+
+    #[inline]
+    fn earlier(self, other: Self) -> Self {
+        let (low, high) = (self.low.min(other.low), self.high.min(other.high));
+        Self { low, high, ..if other.tau < self.tau { other } else { self } }
+    }
 }
 
 impl TaperedCylinder {
@@ -83,63 +110,136 @@ impl TaperedCylinder {
         self.s - 1.0
     }
 
-    /// Finds where the ray goes in and out; none where rounding hides the answer.
-    fn solve<A: Real>(self, ray: &GenericRay<A>) -> Option<Solution> {
-        let foot = ray.foot();
-        let l = ray.at(foot);
-        let wall = Wall::new(self.s, ray, l)?;
-        let discs = Self::discs(ray);
-        let inside = match Self::between_discs(ray, discs) {
-            None => None,
-            Some(slab) => wall.clip(ray, foot, slab)?,
-        };
-        let plain = |x: A| x.to_f64();
-        let q = &wall.quadratic;
-        Some(Solution {
-            inside,
-            wall: Quadratic { a: plain(q.a), b: plain(q.b), c: plain(q.c), discriminant: plain(q.discriminant) },
-            foot: foot.to_f64(),
-            nearest: l.map(plain),
-            wall_roots: q.roots().map(|roots| roots.map(|delta| plain(foot + delta))),
-            discs: discs.map(|times| times.map(plain)),
-        })
+    /// How far the time of a hit with a part moves when S and c are off by one part in one.
+    #[inline]
+    fn moved<A: Real>(ray: &GenericRay<A>, wall: &Wall<A>, tau: f64, part: Part) -> f64 {
+        if part == WALL { wall.moved(tau) } else { ray.sway(tau)[2] / ray.direction[2].abs().to_f64() }
     }
 
-    /// The times at which the ray meets the planes of base and cap.
+    /// A time at which a part is met, with what eight roundings do to it.
+    #[inline]
+    fn end<A: Real>(ray: &GenericRay<A>, wall: &Wall<A>, tau: A, part: Part) -> End<A> {
+        let plain = tau.to_f64();
+        End::new(tau, 8.0 * A::UNIT_ROUNDOFF * (Self::moved(ray, wall, plain, part) + plain.abs()), part)
+    }
+
+    /// The times of base and cap; none where the ray is parallel to them, as far as can be told.
+    #[inline]
     fn discs<A: Real>(ray: &GenericRay<A>) -> Option<[A; 2]> {
         let (s_z, c_z) = (ray.origin[2], ray.direction[2]);
-        (c_z != A::ZERO).then(|| [-s_z / c_z, (A::ONE - s_z) / c_z])
+        let parallel = c_z.abs().to_f64() <= 4.0 * A::UNIT_ROUNDOFF * ray.direction_size[2];
+        (!parallel).then(|| [-s_z / c_z, (A::ONE - s_z) / c_z])
+    }
+}
+
+impl Solver for TaperedCylinder {
+    type Found<A: Real> = Solution<A>;
+
+    #[inline]
+    fn solve<A: Real>(&self, ray: &GenericRay<A>) -> Attempt<Solution<A>> {
+        let infinity = A::from_f64(f64::INFINITY);
+        let wall = Wall::new(self.s, ray);
+        let (enter, leave) = (End::new(-infinity, 0.0, WALL), End::new(infinity, 0.0, WALL));
+        let mut found = Solution { wall, enter, leave, hits: false };
+        let mut decided = wall.is_beyond_doubt();
+        if wall.is_level() {
+            if !wall.holds_all() {
+                return Attempt { found, decided };
+            }
+        } else if let Some([first, second]) = wall.times() {
+            found.enter = Self::end(ray, &wall, first, WALL);
+            found.leave = Self::end(ray, &wall, second, WALL);
+        } else {
+            return Attempt { found, decided };
+        }
+        if let Some([base, cap]) = Self::discs(ray) {
+            let (base, cap) = (Self::end(ray, &wall, base, BASE), Self::end(ray, &wall, cap, CAP));
+            let upward = ray.direction[2] > A::ZERO;
+            let (enter, leave) = if upward { (base, cap) } else { (cap, base) };
+            (found.enter, found.leave) = (enter.later(found.enter), leave.earlier(found.leave));
+        } else {
+            let height = height(ray);
+            // What is zero only by cancellation is not known to be zero.
+            decided &= height.is_beyond_doubt() && ray.direction_size[2] == 0.0;
+            if height.value < 0.0 && (height.is_beyond_doubt() || !A::DOUBT_IS_ZERO) {
+                return Attempt { found, decided };
+            }
+        }
+        let surely = found.enter.high < found.leave.low;
+        decided &= surely || found.enter.low > found.leave.high;
+        found.hits = if A::DOUBT_IS_ZERO { surely } else { found.enter.tau < found.leave.tau };
+        Attempt { found, decided }
     }
 
-    /// The stretch between the planes of the discs; infinite ends for a ray that runs between them, none for a miss.
-    fn between_discs<A: Real>(ray: &GenericRay<A>, discs: Option<[A; 2]>) -> Option<[End<A>; 2]> {
-        let end = |tau: A, part| End { tau, error: A::from_f64(4.0 * A::UNIT_ROUNDOFF) * tau.abs(), part };
-        let infinity = A::from_f64(f64::INFINITY);
-        match discs {
-            None if ray.origin[2] < A::ZERO || ray.origin[2] > A::ONE => None,
-            None => Some([-infinity, infinity].map(|tau| End { tau, error: A::ZERO, part: WALL })),
-            Some([base, cap]) if ray.direction[2] > A::ZERO => Some([end(base, BASE), end(cap, CAP)]),
-            Some([base, cap]) => Some([end(cap, CAP), end(base, BASE)]),
-        }
+    fn closest_call<A: Real>(&self, ray: &GenericRay<A>, solution: &Solution<A>) -> Call {
+        let Solution { wall, enter, leave, .. } = solution;
+        let moved = |end: &End<A>| {
+            let tau = end.tau.to_f64();
+            f64::UNIT_ROUNDOFF * Self::moved(ray, wall, tau, end.part)
+        };
+        let order = Call {
+            question: "Does the ray enter the last part before it leaves the first?",
+            value: (leave.tau - enter.tau).to_f64(),
+            doubt: 0.5 * ((leave.high - leave.low) + (enter.high - enter.low)).to_f64(),
+            input_doubt: moved(enter) + moved(leave),
+            near: 0.5 * (enter.tau + leave.tau).to_f64(),
+        };
+        let met = wall.is_level() || wall.times().is_some();
+        let beside = Self::discs(ray).is_none().then(|| height(ray));
+        [met.then_some(order), beside].into_iter().flatten().fold(wall.call(), Call::closer)
+    }
+
+    #[inline]
+    fn roots<A: Real>(&self, ray: &GenericRay<A>, solution: &Solution<A>) -> impl Boundaries {
+        let root = |end: &End<A>| {
+            let tau = if end.part == WALL { solution.wall.polished(ray, end.tau) } else { end.tau }.to_f64();
+            let moved = Self::moved(ray, &solution.wall, tau, end.part);
+            Root { tau, error: ray.error_of_time(moved, tau), part: end.part }
+        };
+        solution.hits.then(|| [root(&solution.enter), root(&solution.leave)])
+    }
+
+    fn working<A: Real>(&self, ray: &GenericRay<A>, solution: &Solution<A>) -> Vec<Entry> {
+        vec![plane_table::axis_table(ray, &DISCS), self.wall_working(ray, &solution.wall)]
+    }
+
+    /// The times that were looked at and are not on the solid.
+    fn rejected<A: Real>(&self, ray: &GenericRay<A>, solution: &Solution<A>, found: &[Crossing]) -> Vec<Candidate> {
+        let [enters, leaves] = [Sense::Enter, Sense::Leave];
+        let upward = ray.direction[2] > A::ZERO;
+        let (base, cap) = if upward { (enters, leaves) } else { (leaves, enters) };
+        let quadratic = &solution.wall.quadratic;
+        let senses = if quadratic.a < A::ZERO { [leaves, enters] } else { [enters, leaves] };
+        let polished = solution.wall.roots().into_iter().flatten().map(|tau| solution.wall.polished(ray, tau));
+        let wall = polished.zip(senses).map(|(tau, sense)| (tau, WALL, sense));
+        let discs = Self::discs(ray).into_iter().flat_map(|[b, c]| [(b, BASE, base), (c, CAP, cap)]);
+        wall.chain(discs)
+            .map(|(tau, part, sense)| (tau.to_f64(), part, sense))
+            .filter(|&(tau, part, _)| {
+                let t = tau * ray.t_per_tau;
+                t.is_finite() && !found.iter().any(|hit| hit.part == part && hit.t.to_bits() == t.to_bits())
+            })
+            .map(|hit| report::rejected(self, ray, hit, self.reason(ray.point(A::from_f64(hit.0)), hit.1)))
+            .collect()
+    }
+}
+
+/// How far inside the nearer disc's plane a ray runs that is parallel to them.
+fn height<A: Real>(ray: &GenericRay<A>) -> Call {
+    let z = ray.origin[2];
+    Call {
+        question: "Does the ray run between base and cap?",
+        value: z.min(A::ONE - z).to_f64(),
+        doubt: 4.0 * A::UNIT_ROUNDOFF * ray.origin_size[2],
+        input_doubt: f64::UNIT_ROUNDOFF * ray.origin_size[2],
+        near: ray.foot().to_f64(),
     }
 }
 
 impl Primitive for TaperedCylinder {
+    #[inline]
     fn crossings<A: Real>(&self, ray: &GenericRay<A>, recorder: &mut impl Recorder, crossings: &mut Vec<Crossing>) {
-        let begin = crossings.len();
-        let Some(solution) = self.solve(ray).or_else(|| self.solve(&ray.widen())) else { return };
-        if let Some(inside) = solution.inside {
-            let inside = inside.map(|root| {
-                let normal = self.normal(ray.point(A::from_f64(root.tau)), root.part).to_array();
-                Root { error: ray.root_error(normal, root.tau), ..root }
-            });
-            boundary::append_alternating(&inside, Sense::Enter, ray.t_per_tau, Certificate::Certain, crossings);
-        }
-        let found = &crossings[begin..];
-        recorder.note(|| planes::axis_table(ray, &DISCS));
-        recorder.note(|| self.working(ray, &solution));
-        recorder.note(|| report::implicit(self, ray, found));
-        recorder.note(|| report::roots(self, ray, found, self.rejected(ray, &solution, found)));
+        solver::crossings(self, ray, recorder, crossings);
     }
 
     fn normal(&self, point: DVec3, part: Part) -> DVec3 {
@@ -206,73 +306,69 @@ const DISCS: [(HalfSpace, &str); 2] =
 impl TaperedCylinder {
     /// The wall's quadratic in the shared t, with its working.
     #[expect(clippy::many_single_char_names, reason = "the symbols of the head of the file")]
-    fn working<A: Real>(self, ray: &GenericRay<A>, solution: &Solution) -> Entry {
+    fn wall_working<A: Real>(self, ray: &GenericRay<A>, wall: &Wall<A>) -> Entry {
         let scale = ray.t_per_tau;
-        let Quadratic { a, b, c, discriminant } = solution.wall;
-        let (a, b, discriminant) = (a / scale / scale, b / scale, discriminant / scale / scale);
-        let (foot, [x, y, z], [c_x, c_y, c_z]) = (solution.foot * scale, solution.nearest, ray.course());
-        let roots: Vec<_> =
-            solution.wall_roots.into_iter().flatten().map(|tau| tau * scale).filter(|t| t.is_finite()).collect();
+        let per_t = 1.0 / scale;
+        let measured = |x: A, powers: f64| report::measured(x, powers);
+        let quadratic = &wall.quadratic;
+        let (a, b, c) =
+            (measured(quadratic.a, per_t * per_t), measured(quadratic.b, per_t), measured(quadratic.c, 1.0));
+        let discriminant = measured(quadratic.discriminant, per_t * per_t);
+        let (w, d) = (measured(wall.w, 1.0), measured(wall.d, per_t));
+        let [p, q, r] = wall.minors.map(|minor| measured(minor, per_t));
+        let polished = wall.roots().into_iter().flatten().map(|tau| wall.polished(ray, tau));
+        let roots: Vec<_> = polished.map(|tau| measured(tau, scale)).collect();
+        let roots: Vec<_> = roots.into_iter().filter(|root| root.value.is_finite()).collect();
+        let ([x, y, z], [c_x, c_y, c_z]) = (ray.start(), ray.course());
         let number = Value::Number;
         let bindings = [
-            ("S", report::start(ray)),
-            ("c", report::course(ray)),
             ("s", number(self.s)),
-            ("t₀", number(foot)),
-            ("l_x", number(x)),
-            ("l_y", number(y)),
-            ("l_z", number(z)),
+            ("S_x", number(x)),
+            ("S_y", number(y)),
+            ("S_z", number(z)),
             ("c_x", number(c_x)),
             ("c_y", number(c_y)),
             ("c_z", number(c_z)),
-            ("w", number(self.radius(z))),
-            ("d", number(self.slope() * c_z)),
-            ("A", number(a)),
-            ("B", number(b)),
-            ("C", number(c)),
-            ("D", number(discriminant)),
+            ("w", number(w.value)),
+            ("d", number(d.value)),
+            ("p", number(p.value)),
+            ("q", number(q.value)),
+            ("r", number(r.value)),
+            ("A", number(a.value)),
+            ("B", number(b.value)),
+            ("C", number(c.value)),
+            ("D", number(discriminant.value)),
         ];
-        let about = "the wall x² + y² = (1 + (s − 1) z)²".to_owned();
-        let mut entry =
-            Entry::new(What::Quadratic { about, a, b, c, discriminant, recentred_at: foot, roots: roots.clone() })
-                .line("t₀", "−(S·c) / (c·c)", &bindings, foot)
-                .line("l", "S + c t₀", &bindings, solution.nearest)
-                .line("w", "1 + (s − 1) l_z", &bindings, self.radius(z))
-                .line("d", "(s − 1) c_z", &bindings, self.slope() * c_z)
-                .line("A", "c_x² + c_y² − d²", &bindings, a)
-                .line("B", "l_x c_x + l_y c_y − w d", &bindings, b)
-                .line("C", "l_x² + l_y² − w²", &bindings, c)
-                .line("D", "B² − A C", &bindings, discriminant);
+        let mut entry = Entry::new(What::Quadratic {
+            about: "the wall x² + y² = (1 + (s − 1) z)²".to_owned(),
+            a: a.value,
+            b: b.value,
+            c: c.value,
+            discriminant: discriminant.value,
+            recentred_at: 0.0,
+            roots: roots.iter().map(|root| root.value).collect(),
+        })
+        .line("w", "1 + (s − 1) S_z", &bindings, w)
+        .line("d", "(s − 1) c_z", &bindings, d)
+        .line("A", "c_x² + c_y² − d²", &bindings, a)
+        .line("B", "S_x c_x + S_y c_y − w d", &bindings, b)
+        .line("C", "S_x² + S_y² − w²", &bindings, c)
+        .line("p", "S_x d − w c_x", &bindings, p)
+        .line("q", "S_y d − w c_y", &bindings, q)
+        .line("r", "S_x c_y − S_y c_x", &bindings, r)
+        .line("D", "p² + q² − r²", &bindings, discriminant);
         if let [first, second] = roots[..] {
-            let (low, high) = if a > 0.0 { ("−", "+") } else { ("+", "−") };
-            entry = entry.line("t₁", &format!("t₀ + (−B {low} √D) / A"), &bindings, first).line(
+            let (low, high) = if a.value > 0.0 { ("−", "+") } else { ("+", "−") };
+            entry = entry.line("t₁", &format!("(−B {low} √D) / A"), &bindings, first).line(
                 "t₂",
-                &format!("t₀ + (−B {high} √D) / A"),
+                &format!("(−B {high} √D) / A"),
                 &bindings,
                 second,
             );
         } else if let [only] = roots[..] {
-            entry = entry.line("t", "t₀ − C / (2 B)", &bindings, only);
+            entry = entry.line("t", "−C / (2 B)", &bindings, only);
         }
         entry
-    }
-
-    /// The times that were looked at and are not on the solid.
-    fn rejected<A: Real>(self, ray: &GenericRay<A>, solution: &Solution, found: &[Crossing]) -> Vec<Candidate> {
-        let [enters, leaves] = [Sense::Enter, Sense::Leave];
-        let upward = ray.direction[2] > A::ZERO;
-        let (base, cap) = if upward { (enters, leaves) } else { (leaves, enters) };
-        let [first, second] = if solution.wall.a < 0.0 { [leaves, enters] } else { [enters, leaves] };
-        let wall =
-            solution.wall_roots.into_iter().flatten().zip([first, second]).map(|(tau, sense)| (tau, WALL, sense));
-        let discs = solution.discs.into_iter().flat_map(|[b, c]| [(b, BASE, base), (c, CAP, cap)]);
-        wall.chain(discs)
-            .filter(|&(tau, part, _)| {
-                let t = tau * ray.t_per_tau;
-                t.is_finite() && !found.iter().any(|hit| hit.part == part && hit.t.to_bits() == t.to_bits())
-            })
-            .map(|hit| report::rejected(&self, ray, hit, self.reason(ray.point(A::from_f64(hit.0)), hit.1)))
-            .collect()
     }
 
     /// Why a point of the given part's surface is not on the solid.
@@ -397,8 +493,8 @@ mod tests {
         let What::Quadratic { a, b, c, discriminant, recentred_at, roots, .. } = &reports[1] else {
             panic!("{reports:?}")
         };
-        // About (0, 0, 0.5): t² − 0.75².
-        assert_eq!((*a, *b, *c, *discriminant, *recentred_at), (1.0, 0.0, -0.5625, 0.5625, 2.0));
+        // (t − 2)² − 0.75² = t² − 4 t + 3.4375.
+        assert_eq!((*a, *b, *c, *discriminant, *recentred_at), (1.0, -2.0, 3.4375, 0.5625, 0.0));
         assert_eq!(roots, &[1.25, 2.75]);
     }
 

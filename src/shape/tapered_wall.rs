@@ -1,114 +1,126 @@
-//! The wall of a tapered cylinder: the double cone x² + y² = w² with w = 1 + (s − 1) z, and the part of a ray inside of it.
+//! The wall of a tapered cylinder: the double cone x² + y² = w² with w = 1 + (s − 1) z, and where a ray meets it.
 
-use super::boundary::Root;
-use super::tapered_cylinder::WALL;
-use super::{GenericRay, Part};
+use super::GenericRay;
+use super::solver::Call;
 use crate::math::{Quadratic, Real};
 
-/// One end of the inside, and how well it is known.
+/// The double cone and a ray.
 #[derive(Clone, Copy)]
-pub(super) struct End<A> {
-    /// τ.
-    pub tau: A,
-    /// Bound on its error.
-    pub error: A,
-    /// The part of the surface.
-    pub part: Part,
-}
-
-/// The wall of the double cone that a ray meets.
 pub(super) struct Wall<A> {
-    /// F along the ray, in τ − τ of the foot.
+    /// w at S.
+    pub w: A,
+    /// d = (s − 1) c_z.
+    pub d: A,
+    /// p = S_x d − w c_x, q = S_y d − w c_y, r = S_x c_y − S_y c_x: the discriminant is p² + q² − r².
+    pub minors: [A; 3],
+    /// F along the ray, with its discriminant, 0 where that cannot be told from 0 with all digits.
     pub quadratic: Quadratic<A>,
-    /// The discriminant is zero, as far as can be told.
-    touches: bool,
-    /// The ray is parallel to a side of the cone, as far as can be told.
-    parallel: bool,
-    /// Bound on the error of F near the roots.
+    /// Bound on the rounding error of the discriminant.
     doubt: f64,
-    /// s − 1.
-    slope: A,
+    /// The sums of the sizes of S and of c, with z weighed by |s − 1|.
+    start: f64,
+    course: f64,
 }
 
 impl<A: Real> Wall<A> {
-    /// The quadratic of the wall about the point `l` of the ray; none where rounding hides the sign of the discriminant.
-    #[expect(clippy::many_single_char_names, reason = "the symbols of the shape's own head")]
-    pub fn new(s: f64, ray: &GenericRay<A>, l: [A; 3]) -> Option<Self> {
-        let k = A::from_f64(s) - A::ONE;
-        let [c_x, c_y, c_z] = ray.direction;
-        let (w, d) = (A::ONE + k * l[2], k * c_z);
+    /// The quadratic of the wall.
+    #[inline]
+    pub fn new(s: f64, ray: &GenericRay<A>) -> Self {
+        let slope = A::from_f64(s) - A::ONE;
+        let ([x, y, z], [c_x, c_y, c_z]) = (ray.origin, ray.direction);
+        let (w, d) = (A::ONE + slope * z, slope * c_z);
         let a = c_x * c_x + c_y * c_y - d * d;
-        let b = l[0] * c_x + l[1] * c_y - w * d;
-        let c = l[0] * l[0] + l[1] * l[1] - w * w;
-        let minors = [l[0] * d - w * c_x, l[1] * d - w * c_y, l[0] * c_y - l[1] * c_x];
+        let b = x * c_x + y * c_y - w * d;
+        let c = x * x + y * y - w * w;
+        let minors = [x * d - w * c_x, y * d - w * c_y, x * c_y - y * c_x];
         let [p, q, r] = minors;
-        let mut discriminant = p * p + q * q - r * r;
-        let steep = 1.0 + k.abs().to_f64();
-        // Every minor is off by at most this: eight roundings of l and w, times components of c below 2.
-        let minor_error = 48.0 * A::UNIT_ROUNDOFF * steep * (ray.reach() + 1.0);
-        let size: f64 = minors.iter().map(|x| x.abs().to_f64()).sum();
-        let doubt = 2.0 * size * minor_error + 3.0 * minor_error * minor_error + 4.0 * A::UNIT_ROUNDOFF * size * size;
-        let touches = discriminant.abs().to_f64() <= doubt;
-        if touches && !A::FINEST {
-            return None;
-        }
-        if touches {
-            discriminant = A::ZERO;
-        }
-        let parallel = a.abs().to_f64() <= 64.0 * A::UNIT_ROUNDOFF * steep * steep;
-        let extent = l.iter().map(|x| x.abs().to_f64()).sum::<f64>() + 4.0 * steep;
-        let doubt = 32.0 * A::UNIT_ROUNDOFF * steep * extent * (ray.reach() + extent);
+        let exact = p * p + q * q - r * r;
+
+        let steep = slope.abs().to_f64();
+        let sum = |[x, y, z]: [f64; 3]| x + y + steep * z;
+        let (start, course) = (1.0 + sum(ray.origin_size), sum(ray.direction_size));
+        let [p, q, r] = minors.map(|minor| minor.abs().to_f64());
+        // Each minor is off by at most four roundings of the products of S and c.
+        let (size, off) = (p + q + r, 4.0 * A::UNIT_ROUNDOFF * start * course);
+        let doubt = (2.0 * size + 3.0 * off) * off + 4.0 * A::UNIT_ROUNDOFF * size * size;
+        let touches = A::DOUBT_IS_ZERO && exact.abs().to_f64() <= doubt;
+        let discriminant = if touches { A::ZERO } else { exact };
         let quadratic = Quadratic::with_discriminant(a, b, c, discriminant);
-        Some(Self { quadratic, touches, parallel, doubt, slope: k })
+        Self { w, d, minors, quadratic, doubt, start, course }
     }
 
-    /// Cuts the stretch between the discs down to what is inside the wall.
+    /// Whether the line meets the double cone.
+    #[inline]
+    pub fn call(&self) -> Call {
+        let [p, q, r] = self.minors.map(|minor| minor.abs().to_f64());
+        Call {
+            question: "Does the line meet the wall, D > 0?",
+            value: self.quadratic.discriminant.to_f64(),
+            doubt: self.doubt,
+            input_doubt: 2.0 * f64::UNIT_ROUNDOFF * (p + q + r) * self.start * self.course,
+            near: -(self.quadratic.b / self.quadratic.a).to_f64(),
+        }
+    }
+
+    /// Whether the sign of the discriminant is known.
+    #[inline]
+    pub fn is_beyond_doubt(&self) -> bool {
+        self.doubt == 0.0 || self.quadratic.discriminant.abs().to_f64() > self.doubt
+    }
+
+    /// Whether F is the same all along the ray, as far as can be told: it runs inside the wall, or in it, or outside.
+    #[inline]
+    pub fn is_level(&self) -> bool {
+        let parallel = 8.0 * A::UNIT_ROUNDOFF * self.course * self.course;
+        self.quadratic.discriminant == A::ZERO && self.quadratic.a.abs().to_f64() <= parallel
+    }
+
+    /// Whether a ray along which F is the same runs inside.
+    pub fn holds_all(&self) -> bool {
+        self.quadratic.c.to_f64() < -8.0 * A::UNIT_ROUNDOFF * self.start * self.start
+    }
+
+    /// Both times at which the line meets the double cone, ascending; infinite where A = 0. None for a miss.
+    #[inline]
+    pub fn roots(&self) -> Option<[A; 2]> {
+        self.quadratic.roots()
+    }
+
+    /// Where the ray goes into the part with w > 0, and where it comes out; infinite where it never does. None for a miss.
     ///
-    /// The outer option is none where the order of two times is hidden by rounding; the inner one where the ray misses.
-    #[expect(clippy::option_option, reason = "undecided and missed are two things")]
-    pub fn clip(&self, ray: &GenericRay<A>, foot: A, [mut enter, mut leave]: [End<A>; 2]) -> Option<Option<[Root; 2]>> {
-        let root = |end: End<A>| Root { tau: end.tau.to_f64(), error: 0.0, part: end.part };
-        if self.touches && self.parallel {
-            // F is the same all along the ray: it runs inside the wall, or in it, or outside.
-            let inside = self.quadratic.c.to_f64() < -self.doubt;
-            return Some(inside.then(|| [root(enter), root(leave)]));
-        }
+    /// A < 0: the ray is steeper than the side, and meets each nappe once. That with w > 0 lies ahead where w grows along
+    /// the ray, and behind where it shrinks.
+    #[inline]
+    pub fn times(&self) -> Option<[A; 2]> {
         let steep = self.quadratic.a < A::ZERO;
-        let Some(roots) = self.quadratic.roots().filter(|_| steep || !self.touches) else {
-            return Some(None);
-        };
-        let [first, second] = roots.map(|delta| self.end(foot, delta));
-        if steep {
-            // The nappe with w > 0 lies ahead where w grows along the ray, and behind where it shrinks.
-            if self.slope * ray.direction[2] > A::ZERO {
-                enter = later(enter, second);
-            } else {
-                leave = earlier(leave, first);
-            }
-        } else {
-            enter = later(enter, first);
-            leave = earlier(leave, second);
-        }
-        let doubtful = (enter.tau - leave.tau).abs() <= enter.error + leave.error;
-        if doubtful && !A::FINEST {
+        if !steep && self.quadratic.discriminant <= A::ZERO {
             return None;
         }
-        Some((!doubtful && enter.tau < leave.tau).then(|| [root(enter), root(leave)]))
+        let [first, second] = self.roots()?;
+        let infinity = A::from_f64(f64::INFINITY);
+        Some(match (steep, self.d > A::ZERO) {
+            (false, _) => [first, second],
+            (true, true) => [second, infinity],
+            (true, false) => [-infinity, first],
+        })
     }
 
-    /// A root of the quadratic with its error: that of F over the slope of F.
-    fn end(&self, foot: A, delta: A) -> End<A> {
-        let slope = self.quadratic.discriminant.sqrt() * A::from_f64(2.0);
-        let own = if slope > A::ZERO { A::from_f64(self.doubt) / slope } else { A::ZERO };
-        let rounding = A::from_f64(4.0 * A::UNIT_ROUNDOFF) * (foot.abs() + delta.abs());
-        End { tau: foot + delta, error: own + rounding, part: WALL }
+    /// A root after a step of Newton's method on F, which removes what cancels in B and C.
+    #[inline]
+    pub fn polished(&self, ray: &GenericRay<A>, tau: A) -> A {
+        let [x, y, _] = ray.at(tau);
+        let w = self.w + self.d * tau;
+        let half_slope = self.quadratic.a * tau + self.quadratic.b;
+        let step = A::from_f64(0.5) * (x * x + y * y - w * w) / half_slope;
+        // At the apex there is no slope, and at infinity no F.
+        if step.is_finite() { tau - step } else { tau }
     }
-}
 
-fn later<A: Real>(a: End<A>, b: End<A>) -> End<A> {
-    if b.tau > a.tau { b } else { a }
-}
-
-fn earlier<A: Real>(a: End<A>, b: End<A>) -> End<A> {
-    if b.tau < a.tau { b } else { a }
+    /// How far the time of a wall hit moves when S and c are off by one part in one: δF over the slope of F.
+    #[inline]
+    pub fn moved(&self, tau: f64) -> f64 {
+        // On the wall neither |x| nor |y| is more than w, and the slope of F is 2 √D.
+        let w = (self.w.to_f64() + tau * self.d.to_f64()).abs();
+        w * (self.start + tau.abs() * self.course) / self.quadratic.discriminant.to_f64().sqrt()
+    }
 }

@@ -14,55 +14,38 @@
 //! of the perpendicular it has no cubic term. G is F times (√(x² + y²) + d)² + z² − 1, which is below zero only within the
 //! overlap of a spindle: there the quartic has roots that are no boundary.
 //!
-//! **Accuracy** At every turning point of G its value is compared with a bound on its rounding error. Where a double root may
-//! hide, all is worked out again with 32 digits; what these cannot tell from zero is a touch. The roots are then
-//! polished on F itself, which cancels less than G. Thin tori (large d) and rays that touch set the bound.
+//! **Accuracy** The signs of G at its turning points tell how often the ray crosses the surface; each is compared with a bound
+//! on its rounding error. Where that leaves one open, a double root may hide, and all is worked out again with 32 digits;
+//! what these cannot tell from zero is a touch. The hit times come from Newton's method on F itself, which cancels less
+//! than G. Thin tori (large d) and rays that touch set the bound.
 //!
 //! **Degenerate cases** Rays that touch from outside or from inside have no hit there. d = 1: the hole is one point, a ray
 //! through it passes from inside to inside.
 //!
 //! **Source** Hill, Computer Graphics Using OpenGL, the generic torus; Yuksel, HPG 2022, for the roots.
 
-use super::{Bounds, Crossing, GenericRay, Part, Primitive, boundary, boundary::Root, outline, report};
-use crate::math::{Quartic, Real, dot};
-use crate::record::{Candidate, Certificate, Entry, Recorder, Sense, Value, What};
+use super::boundary::{Boundaries, Roots};
+use super::solver::{self, Attempt, Call, Solver};
+use super::torus_quartic::{Line, Quartic, Turn, Turns};
+use super::torus_roots;
+use super::{Bounds, Crossing, GenericRay, Part, Primitive, outline, report};
+use crate::math::Real;
+use crate::record::{Candidate, Entry, Recorder, Sense, Value, What};
 use glam::{DVec2, DVec3};
 use std::f64::consts::{FRAC_PI_4, TAU};
 
 /// A tube of radius 1 about the circle of radius d in the plane z = 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Torus {
-    d: f64,
+    pub(super) d: f64,
 }
 
-/// The quartic about the foot and its roots in τ.
-struct Solution {
-    foot: f64,
-    nearest: [f64; 3],
-    coefficients: [f64; 5],
-    /// The roots that bound the solid.
-    boundaries: Vec<f64>,
-    /// The roots in the overlap of a spindle.
-    hidden: Vec<f64>,
-}
-
-/// The parts of the quartic G(δ) = (a δ² + k)² − 4d² (α δ² + 2 β δ + γ), with the errors of k, β and γ.
-struct Terms<A> {
-    a: A,
-    k: A,
-    alpha: A,
-    beta: A,
-    gamma: A,
-    k_error: f64,
-    beta_error: f64,
-    gamma_error: f64,
-}
-
-/// A place between roots: there G has this sign, 0 where it cannot be told from zero.
-#[derive(Clone, Copy)]
-struct Node<A> {
-    delta: A,
-    sign: i8,
+/// What is known of a ray and a torus.
+pub(super) enum Found<A> {
+    /// The ray passes outside of the ball of radius d + 1.
+    Far(Line<A>),
+    /// It passes within it, or nearly so.
+    Near(Quartic<A>, Turns<A>),
 }
 
 impl Torus {
@@ -77,178 +60,119 @@ impl Torus {
         Err(format!("d is {d}; the distance from the axis to the middle of the tube needs to be more than 0"))
     }
 
-    fn terms<A: Real>(self, ray: &GenericRay<A>, l: [A; 3]) -> Terms<A> {
-        let d = A::from_f64(self.d);
-        let [c_x, c_y, _] = ray.direction;
-        let u = A::UNIT_ROUNDOFF;
-        let l_error = 8.0 * u * (ray.reach() + 1.0);
-        let size = l.iter().map(|x| x.abs().to_f64()).sum::<f64>();
-        let l_squared = dot(l, l);
-        let gamma = l[0] * l[0] + l[1] * l[1];
-        Terms {
-            a: dot(ray.direction, ray.direction),
-            k: l_squared + d * d - A::ONE,
-            alpha: c_x * c_x + c_y * c_y,
-            beta: l[0] * c_x + l[1] * c_y,
-            gamma,
-            k_error: 2.0 * size * l_error + 4.0 * u * (l_squared.to_f64() + self.d * self.d + 1.0),
-            beta_error: 4.0 * l_error + 8.0 * u * size,
-            gamma_error: 2.0 * size * l_error + 4.0 * u * gamma.to_f64(),
+    /// How far the line passes outside of the ball of radius d + 1, in squares.
+    fn distance_call<A: Real>(self, line: &Line<A>) -> Call {
+        let reach = (self.d + 1.0) * (self.d + 1.0);
+        let size = line.nearest.iter().map(|x| x.abs().to_f64()).fold(0.0, f64::max);
+        let moved = 2.0 * size * line.sway;
+        Call {
+            question: "Does the ray pass within d + 1 of the middle, l·l < (d + 1)²?",
+            value: (line.square - A::from_f64(self.d + 1.0) * A::from_f64(self.d + 1.0)).to_f64(),
+            doubt: 4.0 * A::UNIT_ROUNDOFF * (moved + line.square.to_f64() + reach),
+            input_doubt: f64::UNIT_ROUNDOFF * (moved + 2.0 * self.d * (self.d + 1.0)),
+            near: line.foot.to_f64(),
         }
     }
 
-    /// Bound on the error of G(δ).
-    fn doubt<A: Real>(self, terms: &Terms<A>, delta: A) -> f64 {
-        let u = A::UNIT_ROUNDOFF;
-        let delta = delta.abs().to_f64();
-        let [a, k, alpha, beta, gamma] =
-            [terms.a, terms.k, terms.alpha, terms.beta, terms.gamma].map(|x| x.abs().to_f64());
-        let radial = alpha * delta * delta + 2.0 * beta * delta + gamma;
-        let whole = a * delta * delta + k;
-        2.0 * whole * (terms.k_error + 8.0 * u * whole)
-            + 4.0 * self.d * self.d * (8.0 * u * radial + 2.0 * terms.beta_error * delta + terms.gamma_error)
-    }
-
-    /// Solves about the foot; none where rounding hides how many roots there are.
-    fn solve<A: Real>(self, ray: &GenericRay<A>) -> Option<Solution> {
-        let foot = ray.foot();
-        let l = ray.at(foot);
-        let terms = self.terms(ray, l);
-        let quartic = self.quartic(&terms, l);
-        let mut solution = Solution {
-            foot: foot.to_f64(),
-            nearest: l.map(Real::to_f64),
-            coefficients: quartic.coefficients.map(Real::to_f64),
-            boundaries: Vec::new(),
-            hidden: Vec::new(),
-        };
-        // A ball that holds the torus with room to spare: at its surface G is positive beyond doubt.
-        let ball = 1.01 * (1.0 + self.d);
-        let room = A::from_f64(ball * ball) - dot(l, l);
-        if room <= A::ZERO {
-            return Some(solution);
+    /// Whether the ray is inside the tube at a turning point.
+    fn turn_call<A: Real>(ray: &GenericRay<A>, quartic: &Quartic<A>, turns: &Turns<A>, turn: &Turn<A>) -> Call {
+        let [near, far] = quartic.factors(turn.at);
+        let a = quartic.line.a.to_f64();
+        let by_quartic = turns.doubt * a * a / far.abs().to_f64();
+        let doubt = if A::DOUBT_IS_ZERO { by_quartic.min(quartic.surface_doubt()) } else { by_quartic };
+        let [x, y, z] = quartic.point(turn.at).map(|x| x.abs().to_f64());
+        let [sway_x, sway_y, sway_z] = ray.sway(quartic.tau(turn.at).to_f64());
+        let radius = x.hypot(y);
+        let outward = if radius > 0.0 { (x * sway_x + y * sway_y) / radius } else { sway_x + sway_y };
+        let d = quartic.d.to_f64();
+        let moved = 2.0 * (radius - d).abs() * (outward + d) + 2.0 * z * sway_z;
+        Call {
+            question: "Is the ray inside the tube where the quartic turns, F < 0?",
+            value: near.to_f64(),
+            doubt,
+            input_doubt: f64::UNIT_ROUNDOFF * moved,
+            near: quartic.tau(turn.at).to_f64(),
         }
-        let end = (room / terms.a).sqrt();
-        let nodes = self.nodes(&quartic, &terms, end)?;
-        self.sort_roots(ray, &quartic, (foot, l), &nodes, &mut solution);
-        Some(solution)
-    }
-
-    /// G as a quartic in δ. Its constant term is F times the other factor, for that cancels less.
-    fn quartic<A: Real>(self, terms: &Terms<A>, l: [A; 3]) -> Quartic<A> {
-        let d = A::from_f64(self.d);
-        let four_d_squared = A::from_f64(4.0) * d * d;
-        let radius = terms.gamma.sqrt();
-        let height = l[2] * l[2] - A::ONE;
-        let near = (radius - d) * (radius - d) + height;
-        let far = (radius + d) * (radius + d) + height;
-        let two = A::from_f64(2.0);
-        Quartic {
-            coefficients: [
-                near * far,
-                -(two * four_d_squared * terms.beta),
-                two * terms.a * terms.k - four_d_squared * terms.alpha,
-                A::ZERO,
-                terms.a * terms.a,
-            ],
-        }
-    }
-
-    /// The ends and the turning points of G with its signs; none where a sign is in doubt.
-    fn nodes<A: Real>(self, quartic: &Quartic<A>, terms: &Terms<A>, end: A) -> Option<Vec<Node<A>>> {
-        let mut nodes = Vec::with_capacity(7);
-        nodes.push(Node { delta: -end, sign: 1 });
-        for &delta in quartic.separators(-end, end).as_slice() {
-            let value = quartic.at(delta);
-            let doubtful = value.abs().to_f64() <= self.doubt(terms, delta);
-            if doubtful && !A::FINEST {
-                return None;
-            }
-            let sign = if doubtful {
-                0
-            } else if value < A::ZERO {
-                -1
-            } else {
-                1
-            };
-            nodes.push(Node { delta, sign });
-        }
-        nodes.push(Node { delta: end, sign: 1 });
-        Some(nodes)
-    }
-
-    /// Finds the roots of G between the nodes and tells boundaries from roots within the overlap of a spindle.
-    fn sort_roots<A: Real>(
-        self,
-        ray: &GenericRay<A>,
-        quartic: &Quartic<A>,
-        (foot, l): (A, [A; 3]),
-        nodes: &[Node<A>],
-        solution: &mut Solution,
-    ) {
-        let mut last = nodes[0];
-        let mut touched = None;
-        for node in &nodes[1..] {
-            if node.sign == 0 {
-                touched = Some(node.delta);
-                continue;
-            }
-            let inside = |node: &Node<A>| node.sign < 0 || self.in_overlap(ray, l, node.delta);
-            let crosses = inside(&last) != inside(node);
-            if node.sign != last.sign {
-                let rough = quartic.root_between(last.delta, node.delta, last.sign < 0);
-                let root = (foot + self.polish(ray, l, rough, last.delta, node.delta)).to_f64();
-                if crosses { &mut solution.boundaries } else { &mut solution.hidden }.push(root);
-            } else if let Some(delta) = touched.filter(|_| crosses) {
-                // Through the tip of a spindle, from the outside right into the overlap: a double root of G.
-                solution.boundaries.push((foot + delta).to_f64());
-            }
-            (last, touched) = (*node, None);
-        }
-    }
-
-    /// Two steps of Newton's method on F, not beyond `low` and `high`.
-    #[expect(clippy::many_single_char_names, reason = "the symbols of the head of the file")]
-    fn polish<A: Real>(self, ray: &GenericRay<A>, l: [A; 3], start: A, low: A, high: A) -> A {
-        let d = A::from_f64(self.d);
-        let [c_x, c_y, c_z] = ray.direction;
-        let mut delta = start;
-        for _ in 0..2 {
-            let [x, y, z] = std::array::from_fn(|i| l[i] + ray.direction[i] * delta);
-            let radius = (x * x + y * y).sqrt();
-            let value = (radius - d) * (radius - d) + z * z - A::ONE;
-            let half_slope = (radius - d) * (x * c_x + y * c_y) / radius + z * c_z;
-            let next = delta - value / (half_slope + half_slope);
-            if !(low < next && next < high) {
-                break;
-            }
-            delta = next;
-        }
-        delta
-    }
-
-    /// Whether a place with G > 0 lies in the overlap of a spindle: there both factors of G are negative, and so is their
-    /// sum, 2 (|p|² + d² − 1).
-    fn in_overlap<A: Real>(self, ray: &GenericRay<A>, l: [A; 3], delta: A) -> bool {
-        let p = std::array::from_fn(|i| l[i] + ray.direction[i] * delta);
-        self.d < 1.0 && dot(p, p) < A::ONE - A::from_f64(self.d) * A::from_f64(self.d)
     }
 }
 
+impl Solver for Torus {
+    type Found<A: Real> = Found<A>;
+
+    #[inline]
+    fn solve<A: Real>(&self, ray: &GenericRay<A>) -> Attempt<Found<A>> {
+        // A ball that holds the torus with room to spare.
+        let ball = 1.01 * (self.d + 1.0);
+        let line = Line::new(ray);
+        let near = line.square.to_f64() <= ball * ball;
+        if !near {
+            return Attempt { decided: self.distance_call(&line).is_beyond_doubt(), found: Found::Far(line) };
+        }
+        let quartic = Quartic::new(self.d, ball, ray, line);
+        let turns = quartic.turns();
+        Attempt { decided: turns.decided(), found: Found::Near(quartic, turns) }
+    }
+
+    fn closest_call<A: Real>(&self, ray: &GenericRay<A>, found: &Found<A>) -> Call {
+        match found {
+            Found::Far(line) => self.distance_call(line),
+            Found::Near(quartic, turns) => {
+                let call = |turn| Self::turn_call(ray, quartic, turns, turn);
+                let [lowest, rest @ ..] = turns.as_slice() else { return self.distance_call(&quartic.line) };
+                rest.iter().map(call).fold(call(lowest), Call::closer)
+            }
+        }
+    }
+
+    #[inline]
+    fn roots<A: Real>(&self, ray: &GenericRay<A>, found: &Found<A>) -> impl Boundaries {
+        boundaries(ray, found)
+    }
+
+    fn working<A: Real>(&self, ray: &GenericRay<A>, found: &Found<A>) -> Vec<Entry> {
+        let Found::Near(quartic, turns) = found else { return Vec::new() };
+        let roots = boundaries(ray, found);
+        let hidden = hidden_times(quartic, turns);
+        vec![self.entry(ray, quartic, roots.as_ref().iter().map(|root| root.tau).chain(hidden).collect())]
+    }
+
+    fn rejected<A: Real>(&self, ray: &GenericRay<A>, found: &Found<A>, _: &[Crossing]) -> Vec<Candidate> {
+        let Found::Near(quartic, turns) = found else { return Vec::new() };
+        let senses = [Sense::Leave, Sense::Enter];
+        let reason = "a root of the quartic, but F is negative on both sides: it lies where the tube overlaps itself";
+        hidden_times(quartic, turns)
+            .into_iter()
+            .zip(senses.into_iter().cycle())
+            .map(|(tau, sense)| report::rejected(self, ray, (tau, 0, sense), reason.to_owned()))
+            .collect()
+    }
+}
+
+/// The places where the ray crosses the surface, τ ascending.
+#[inline]
+fn boundaries<A: Real>(ray: &GenericRay<A>, found: &Found<A>) -> Roots<4> {
+    let mut roots = Roots::<4>::new();
+    if let Found::Near(quartic, turns) = found {
+        let (brackets, count) = turns.brackets(quartic.end);
+        for i in 0..count {
+            let bracket = &brackets[if quartic.turned { count - 1 - i } else { i }];
+            roots.push(torus_roots::crossing(ray, quartic, turns.slope, bracket));
+        }
+    }
+    roots
+}
+
+/// The roots of the quartic that are no boundaries, τ ascending.
+fn hidden_times<A: Real>(quartic: &Quartic<A>, turns: &Turns<A>) -> Vec<f64> {
+    let mut times: Vec<_> = quartic.hidden_roots(turns).into_iter().map(|delta| quartic.tau(delta).to_f64()).collect();
+    times.sort_by(f64::total_cmp);
+    times
+}
+
 impl Primitive for Torus {
+    #[inline]
     fn crossings<A: Real>(&self, ray: &GenericRay<A>, recorder: &mut impl Recorder, crossings: &mut Vec<Crossing>) {
-        let begin = crossings.len();
-        let Some(solution) = self.solve(ray).or_else(|| self.solve(&ray.widen())) else { return };
-        let root = |&tau: &f64| {
-            let normal = self.normal(ray.point(A::from_f64(tau)), 0).to_array();
-            Root { tau, error: ray.root_error(normal, tau), part: 0 }
-        };
-        let roots: Vec<_> = solution.boundaries.iter().map(root).collect();
-        boundary::append_alternating(&roots, Sense::Enter, ray.t_per_tau, Certificate::Certain, crossings);
-        let found = &crossings[begin..];
-        recorder.note(|| self.working(ray, &solution));
-        recorder.note(|| report::implicit(self, ray, found));
-        recorder.note(|| report::roots(self, ray, found, self.rejected(ray, &solution)));
+        solver::crossings(self, ray, recorder, crossings);
     }
 
     fn normal(&self, point: DVec3, _part: Part) -> DVec3 {
@@ -312,52 +236,42 @@ impl Primitive for Torus {
 
 impl Torus {
     /// The quartic in the shared t, with its working.
-    fn working<A: Real>(self, ray: &GenericRay<A>, solution: &Solution) -> Entry {
+    fn entry<A: Real>(self, ray: &GenericRay<A>, quartic: &Quartic<A>, mut roots: Vec<f64>) -> Entry {
         let scale = ray.t_per_tau;
-        let mut power = 1.0;
-        let coefficients = solution.coefficients.map(|coefficient| {
-            let shown = coefficient / power;
-            power *= scale;
-            shown
-        });
-        let mut roots: Vec<_> = solution.boundaries.iter().chain(&solution.hidden).map(|tau| tau * scale).collect();
+        let (line, number) = (&quartic.line, A::from_f64);
+        let foot = report::measured(line.foot, scale);
+        let nearest = report::measured_vector(line.nearest, 1.0);
+        let a = report::measured(line.a, 1.0 / scale / scale);
+        let k = report::measured(quartic.k, scale * scale);
+        let p = report::measured(quartic.half_p + quartic.half_p, scale * scale);
+        let q = number(if quartic.turned { -4.0 } else { 4.0 }) * quartic.quarter_q;
+        let q = report::measured(q, scale * scale * scale);
+        let r = report::measured(quartic.r, scale * scale * scale * scale);
+        roots.iter_mut().for_each(|tau| *tau *= scale);
         roots.sort_by(f64::total_cmp);
-        let foot = solution.foot * scale;
-        let (c, l) = (DVec3::from(ray.course()), DVec3::from(solution.nearest));
-        let k = l.length_squared() + self.d * self.d - 1.0;
+        let ([l_x, l_y, _], [c_x, c_y, _]) = (nearest.value, ray.course());
         let bindings = [
             ("S", report::start(ray)),
             ("c", report::course(ray)),
-            ("t₀", Value::Number(foot)),
-            ("l", Value::Vector(solution.nearest)),
-            ("l_x", Value::Number(l.x)),
-            ("l_y", Value::Number(l.y)),
-            ("c_x", Value::Number(c.x)),
-            ("c_y", Value::Number(c.y)),
+            ("t₀", Value::Number(foot.value)),
+            ("l", Value::Vector(nearest.value)),
+            ("l_x", Value::Number(l_x)),
+            ("l_y", Value::Number(l_y)),
+            ("c_x", Value::Number(c_x)),
+            ("c_y", Value::Number(c_y)),
             ("d", Value::Number(self.d)),
-            ("k", Value::Number(k)),
+            ("A", Value::Number(a.value)),
+            ("k", Value::Number(k.value)),
         ];
-        let [c0, c1, c2, c3, c4] = coefficients;
-        Entry::new(What::Quartic { coefficients, recentred_at: foot, roots })
-            .line("t₀", "−(S·c) / (c·c)", &bindings, foot)
-            .line("l", "S + c t₀", &bindings, solution.nearest)
-            .line("k", "l·l + d² − 1", &bindings, k)
-            .line("c₄", "(c·c)²", &bindings, c4)
-            .line("c₃", "4 c·c c·l", &bindings, c3)
-            .line("c₂", "2 c·c k − 4 d² (c_x² + c_y²)", &bindings, c2)
-            .line("c₁", "−8 d² (l_x c_x + l_y c_y)", &bindings, c1)
-            .line("c₀", "k² − 4 d² (l_x² + l_y²)", &bindings, c0)
-    }
-
-    fn rejected<A: Real>(self, ray: &GenericRay<A>, solution: &Solution) -> Vec<Candidate> {
-        let senses = [Sense::Leave, Sense::Enter];
-        let reason = "a root of the quartic, but F is negative on both sides: it lies where the tube overlaps itself";
-        solution
-            .hidden
-            .iter()
-            .zip(senses.into_iter().cycle())
-            .map(|(&tau, sense)| report::rejected(&self, ray, (tau, 0, sense), reason.to_owned()))
-            .collect()
+        let coefficients = [r.value, q.value, p.value, 0.0, 1.0];
+        Entry::new(What::Quartic { coefficients, recentred_at: foot.value, roots })
+            .line("A", "c·c", &bindings, a)
+            .line("t₀", "−(S·c) / A", &bindings, foot)
+            .line("l", "S + c t₀", &bindings, nearest)
+            .line("k", "(l·l + d² − 1) / A", &bindings, k)
+            .line("p", "2 k − 4 d² (c_x² + c_y²) / A²", &bindings, p)
+            .line("q", "−8 d² (l_x c_x + l_y c_y) / A²", &bindings, q)
+            .line("r", "k² − 4 d² (l_x² + l_y²) / A²", &bindings, r)
     }
 }
 
@@ -365,6 +279,8 @@ impl Torus {
 mod tests {
     use super::super::testing::*;
     use super::*;
+    use crate::record::Certificate;
+    use proptest::prelude::*;
 
     impl Samples for Torus {
         fn samples() -> Vec<Self> {
@@ -442,6 +358,81 @@ mod tests {
         // (t² + 3)² − 16 t² = t⁴ − 10 t² + 9 about t = 5.
         assert_eq!((coefficients, *recentred_at), (&[9.0, 0.0, -10.0, 0.0, 1.0], 5.0));
         assert_eq!(roots.len(), 4);
+    }
+
+    #[test]
+    fn a_ray_in_at_one_tip_of_a_spindle_comes_out_of_the_tube() {
+        // With x = s and z = 0.8 − s it is F = 2 s² + 0.4 |s| before the tip and 2 s² − 2.8 s beyond it.
+        assert_eq!(times(0.6, [-5.0, 0.0, 5.8], [1.0, 0.0, -1.0]), [5.0, 6.4]);
+        assert_eq!(times(0.6, [5.0, 0.0, -5.8], [-1.0, 0.0, 1.0]), [5.0, 6.4]);
+    }
+
+    #[test]
+    fn a_ray_that_grazes_a_tip_of_a_spindle_stays_inside() {
+        assert_eq!(times(0.6, [-5.0, 0.0, 0.8], [1.0, 0.0, 0.0]), [3.8, 6.2]);
+    }
+
+    #[test]
+    fn a_thin_torus_has_its_width() {
+        for d in [1e3, 1e6] {
+            let found = times(d, [-2.0 * d, 0.0, 0.0], [1.0, 0.0, 0.0]);
+            assert_eq!(found, [d - 1.0, d + 1.0, 3.0 * d - 1.0, 3.0 * d + 1.0]);
+        }
+    }
+
+    #[test]
+    fn a_hundred_million_radii_away_it_still_has_its_width() {
+        // At the height 0.6 the tube reaches 0.8 to either side of its middle.
+        let hits = solve::<f64>(&torus(2.0), DVec3::new(1e8, 0.0, 0.6), DVec3::NEG_X);
+        let expected = [-2.8, -1.2, 1.2, 2.8].map(|t| (1e8 + t) - 1e8);
+        assert_eq!(hits.iter().map(|hit| hit.t - 1e8).collect::<Vec<_>>(), expected);
+        assert!(hits.iter().all(|hit| hit.certificate == Certificate::Certain));
+    }
+
+    #[test]
+    fn rays_that_touch_are_undecidable_and_ordinary_ones_certain() {
+        let certificate = |origin: DVec3, direction: DVec3| {
+            let (reports, _) = record(&torus(2.0), origin, direction);
+            reports.into_iter().find_map(|what| match what {
+                What::Decision { certificate, .. } => Some(certificate),
+                _ => None,
+            })
+        };
+        assert_eq!(certificate(DVec3::new(-5.0, 0.0, 1.0), DVec3::X), Some(Certificate::Undecidable));
+        assert_eq!(certificate(DVec3::new(-5.0, 0.0, 0.5), DVec3::X), Some(Certificate::Certain));
+        assert_eq!(certificate(DVec3::new(-5.0, 0.0, 3.5), DVec3::X), Some(Certificate::Certain));
+        // 2⁻⁴² below the top: too near for f64, far enough for its inputs.
+        let close = DVec3::new(-5.0, 0.0, 1.0 - 2.0_f64.powi(-42));
+        assert_eq!(certificate(close, DVec3::X), Some(Certificate::Fallback));
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(4000))]
+
+        #[test]
+        fn what_is_certain_near_a_tangent_is_so_with_more_digits(
+            (u, v, turn) in (0.0..TAU, 0.0..TAU, 0.0..TAU),
+            (gap, above) in (2.0..16.0_f64, any::<bool>()),
+            (which, far) in (0..6_usize, 0.0..8.0_f64),
+        ) {
+            let d = [0.4, 1.0, 1.3, 2.0, 10.0, 1000.0][which];
+            let normal = DVec3::new(u.cos() * v.cos(), u.sin() * v.cos(), v.sin());
+            let on_surface = DVec3::new(u.cos() * d, u.sin() * d, 0.0) + normal;
+            let across = DVec3::new(-u.sin(), u.cos(), 0.0);
+            let along = across * turn.cos() + normal.cross(across) * turn.sin();
+            let point = on_surface + normal * 10.0_f64.powf(-gap) * if above { 1.0 } else { -1.0 };
+            let origin = point - along * 10.0_f64.powf(far);
+            let ray = GenericRay::<f64>::new(origin, along);
+            let (fast, sure) = (torus(d).solve(&ray), torus(d).solve(&ray.widen()));
+            if fast.decided {
+                let fast_roots = boundaries(&ray, &fast.found).as_ref().to_vec();
+                let sure_roots = boundaries(&ray.widen(), &sure.found).as_ref().to_vec();
+                prop_assert_eq!(fast_roots.len(), sure_roots.len());
+                for (a, b) in fast_roots.iter().zip(&sure_roots) {
+                    prop_assert!((a.tau - b.tau).abs() <= a.error, "{:?} {:?}", a, b);
+                }
+            }
+        }
     }
 
     #[test]

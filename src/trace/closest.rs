@@ -1,5 +1,6 @@
 //! Steps 2 to 4 of § 6.1: all intersections, the closest one in front, and the hit point.
 
+use super::departure::Ahead;
 use super::ray::{Ray, Tracer};
 use crate::csg::{Boundary, IntervalList, Leaf};
 use crate::record::{Entry, Recorder, Sense, Value, What};
@@ -13,8 +14,8 @@ pub struct Found {
     pub object: usize,
     /// Its intervals for all real t.
     pub list: IntervalList,
-    /// The boundary that the ray started on, which is not counted.
-    pub departed: Option<Boundary>,
+    /// Its boundaries that count.
+    pub ahead: Ahead,
 }
 
 /// The closest boundary in front.
@@ -45,13 +46,6 @@ pub struct Surface {
     pub n_shading: DVec3,
 }
 
-impl Found {
-    /// Boundaries that count, ascending: in front, and not the one that the ray started on.
-    pub fn in_front(&self) -> impl Iterator<Item = (Boundary, Sense)> {
-        self.list.boundaries().into_iter().filter(|(boundary, _)| boundary.t > 0.0 && Some(*boundary) != self.departed)
-    }
-}
-
 impl Tracer<'_> {
     /// The object's leaf that a boundary lies on.
     #[must_use]
@@ -71,9 +65,10 @@ impl Tracer<'_> {
         let mut found = Vec::new();
         for (index, object) in self.scene.objects.iter().enumerate() {
             let list = intersect(index, object, ray, recorder);
-            if !list.is_empty() {
-                let departed = ray.departure.and_then(|departure| departure.boundary(index, &list));
-                found.push(Found { object: index, list, departed });
+            let ahead = ray.ahead(index, object, &list);
+            ahead.report(object, recorder);
+            if !list.is_empty() || !ahead.boundaries.is_empty() {
+                found.push(Found { object: index, list, ahead });
             }
         }
         found
@@ -83,7 +78,7 @@ impl Tracer<'_> {
     pub(super) fn find_closest_in_front<R: Recorder>(&self, found: &[Found], recorder: &mut R) -> Option<Closest> {
         let mut closest: Option<Closest> = None;
         for candidate in found {
-            if let Some((boundary, sense)) = candidate.in_front().next()
+            if let Some(&(boundary, sense)) = candidate.ahead.boundaries.first()
                 && closest.is_none_or(|best| boundary.t < best.boundary.t)
             {
                 closest = Some(Closest { object: candidate.object, boundary, sense });
@@ -172,9 +167,9 @@ pub(super) fn intersect(index: usize, object: &Object, ray: &Ray, recorder: &mut
 
 /// Why a boundary is not the one that is seen.
 fn why_rejected(boundary: &Boundary, candidate: &Found, closest: Option<Closest>) -> &'static str {
-    if Some(*boundary) == candidate.departed {
+    if Some(*boundary) == candidate.ahead.departed {
         "this is the surface that the ray started on"
-    } else if boundary.t <= 0.0 {
+    } else if !candidate.ahead.holds(boundary) {
         "behind the start of the ray: t is not positive"
     } else if closest.is_some_and(|c| c.object == candidate.object) {
         "later on the ray than the hit with the same object"

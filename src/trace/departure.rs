@@ -1,13 +1,20 @@
 //! Leaving a surface without hitting it again, and without an epsilon.
 //!
-//! A spawned ray starts on a boundary that is known: which object, and whether the ray leaves it or goes into it. Among
-//! that object's boundaries along the new ray one is the boundary that was left, at t = 0 up to rounding. It is picked
-//! out by what it is and by the *error bounds* of the two hit times, and is not counted. Every other boundary counts
-//! from t = 0 on, however near: a shell 10⁻⁵ thick keeps its far side.
+//! A spawned ray starts on a boundary that is known, and it is known what the ray does there: from then on it is inside
+//! the object, or outside. Among the object's boundaries along the new ray one is the boundary that was left, at t = 0 up to
+//! rounding. It is picked out by what it does to the ray and by the *error bounds* of the start and of its own time, and
+//! all that comes after it counts, however near: a shell 10⁻⁵ thick keeps its far side.
+//!
+//! A ray that leaves at a grazing angle may, by rounding, start beside the surface, and its line may miss the boundary
+//! altogether. Where the list of boundaries says that the ray is on the wrong side, the object is asked once more, from
+//! a start that is moved to the right side by the bound on its own error. Where even that does not help, the way between
+//! the boundary and its neighbour is shorter than rounding, and the ray is turned back at once, at t = 0. So what a ray is
+//! inside of always follows the boundaries that it was seen to cross.
 
 use super::closest::Surface;
-use crate::csg::{Boundary, IntervalList};
-use crate::record::Sense;
+use crate::csg::{Boundary, IntervalList, Solid};
+use crate::record::{Entry, Recorder, Sense, What};
+use crate::scene::Object;
 use glam::DVec3;
 
 /// The boundary that a spawned ray started on.
@@ -15,10 +22,27 @@ use glam::DVec3;
 pub struct Departure {
     /// The object, by its place in the list.
     pub object: usize,
+    /// The boundary as the ray before met it.
+    boundary: Boundary,
     /// What crossing that boundary at t = 0 does to the new ray's line.
     sense: Sense,
-    /// Bound on how far from t = 0 the boundary can seem to be.
-    window: f64,
+    /// The outward unit normal there.
+    normal: DVec3,
+    /// Bound on how far the start lies from the surface.
+    blur: f64,
+}
+
+/// The boundaries of an object that count for a ray.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Ahead {
+    /// The boundary that the ray started on, which does not count.
+    pub departed: Option<Boundary>,
+    /// Those that count, ascending.
+    pub boundaries: Vec<(Boundary, Sense)>,
+    /// Whether the ray is inside the object for good behind the last of them.
+    pub endless: bool,
+    /// How far the start had to be moved to the right side of the surface, if it had to be.
+    pub moved: Option<f64>,
 }
 
 /// Roundings in a hit point's coordinates: the product, the sum, and the inverse transform on the way back.
@@ -28,29 +52,109 @@ impl Departure {
     /// Leaving `surface`, which was hit along `incoming`, in the given direction.
     #[must_use]
     pub fn new(surface: &Surface, incoming: DVec3, direction: DVec3) -> Self {
-        let outwards = direction.dot(surface.n_geometric);
-        let sense = match (surface.sense, outwards > 0.0) {
+        let sense = match (surface.sense, direction.dot(surface.n_geometric) > 0.0) {
             (Sense::Touch, _) => Sense::Touch,
             (_, true) => Sense::Leave,
             (_, false) => Sense::Enter,
         };
-        let along_normal = surface.boundary.error * surface.n_geometric.dot(incoming).abs()
+        let blur = surface.boundary.error * surface.n_geometric.dot(incoming).abs()
             + POINT_ROUNDINGS * surface.n_geometric.abs().dot(surface.point.abs());
-        Self { object: surface.object, sense, window: 4.0 * along_normal / outwards.abs() }
+        let (boundary, normal) = (surface.boundary, surface.n_geometric);
+        Self { object: surface.object, boundary, sense, normal, blur }
     }
 
-    /// The boundary in this object's list that the ray started on, if its line crosses it at all.
-    ///
-    /// A ray that leaves at a grazing angle may, by rounding, start beside the surface; then there is none.
+    /// What lies ahead of the ray in the object that it started on; `list_from` gives all boundaries from an origin.
     #[must_use]
-    pub fn boundary(&self, object: usize, list: &IntervalList) -> Option<Boundary> {
-        if object != self.object {
-            return None;
+    pub fn ahead(
+        &self,
+        solid: &Solid,
+        [origin, direction]: [DVec3; 2],
+        list: &IntervalList,
+        list_from: impl FnOnce(DVec3) -> IntervalList,
+    ) -> Ahead {
+        let first = self.behind_start(solid, [origin, direction], list);
+        if self.agrees(&first) {
+            return first;
         }
-        list.boundaries()
-            .into_iter()
-            .filter(|(boundary, sense)| *sense == self.sense && boundary.t.abs() <= self.window + boundary.error)
-            .map(|(boundary, _)| boundary)
-            .min_by(|a, b| a.t.abs().total_cmp(&b.t.abs()))
+        let by = 2.0 * self.blur;
+        let start = if self.sense == Sense::Leave { origin + self.normal * by } else { origin - self.normal * by };
+        let list = list_from(start);
+        let second = Ahead { moved: Some(by), ..self.behind_start(solid, [start, direction], &list) };
+        if self.agrees(&second) { second } else { self.turned_back(second) }
     }
+
+    /// The boundaries behind the one that the ray started on; where that is not among them, those behind t = 0.
+    fn behind_start(&self, solid: &Solid, [origin, direction]: [DVec3; 2], list: &IntervalList) -> Ahead {
+        let is_start = |boundary: &Boundary| {
+            let normal = solid.normal(boundary, origin + direction * boundary.t);
+            let slope = normal.dot(direction).abs();
+            boundary.t.abs() * slope <= 4.0 * self.blur + boundary.error * slope
+        };
+        let all = list.boundaries();
+        let start = (0..all.len())
+            .filter(|&k| all[k].1 == self.sense && is_start(&all[k].0))
+            .min_by(|&a, &b| all[a].0.t.abs().total_cmp(&all[b].0.t.abs()));
+        match start {
+            Some(start) => {
+                let (departed, boundaries) = (Some(all[start].0), all[start + 1..].to_vec());
+                Ahead { departed, boundaries, endless: is_endless(list), moved: None }
+            }
+            None => Ahead::of(list),
+        }
+    }
+
+    /// Whether the boundaries ahead say that the ray is on the side to which it left.
+    fn agrees(&self, ahead: &Ahead) -> bool {
+        self.sense == Sense::Touch || ahead.starts_inside() == (self.sense == Sense::Enter)
+    }
+
+    /// Puts a ray right that rounding has set down on the wrong side of the boundary.
+    fn turned_back(&self, mut ahead: Ahead) -> Ahead {
+        let back = if self.sense == Sense::Enter { Sense::Leave } else { Sense::Enter };
+        ahead.boundaries.insert(0, (Boundary { t: 0.0, ..self.boundary }, back));
+        ahead
+    }
+}
+
+impl Ahead {
+    /// All boundaries in front of the start of a ray that did not start on the object.
+    #[must_use]
+    pub fn of(list: &IntervalList) -> Self {
+        let boundaries = list.boundaries().into_iter().filter(|(boundary, _)| boundary.t > 0.0).collect();
+        Self { departed: None, boundaries, endless: is_endless(list), moved: None }
+    }
+
+    /// Whether the ray is inside the object where it starts.
+    fn starts_inside(&self) -> bool {
+        self.boundaries.first().map_or(self.endless, |(_, sense)| *sense == Sense::Leave)
+    }
+
+    /// Tells of a start that had to be moved.
+    pub(super) fn report(&self, object: &Object, recorder: &mut impl Recorder) {
+        if let Some(by) = self.moved {
+            recorder.note(|| Entry::new(What::Moved { object: object.name.clone(), by }));
+        }
+    }
+
+    /// Whether a boundary counts.
+    #[must_use]
+    pub fn holds(&self, boundary: &Boundary) -> bool {
+        self.boundaries.iter().any(|(other, _)| other == boundary)
+    }
+
+    /// Where the ray goes through the object before it comes to `limit`: a hit time and a leaf for each passage.
+    pub fn passages(&self, limit: f64) -> impl Iterator<Item = (f64, usize)> {
+        let first = self.boundaries.first().map_or((0.0, 0), |(boundary, _)| (boundary.t, boundary.leaf));
+        let entered =
+            self.boundaries.iter().filter(move |(boundary, sense)| *sense != Sense::Leave && boundary.t < limit);
+        self.starts_inside()
+            .then_some(first)
+            .into_iter()
+            .chain(entered.map(|(boundary, _)| (boundary.t, boundary.leaf)))
+    }
+}
+
+/// Whether the object goes on without end.
+fn is_endless(list: &IntervalList) -> bool {
+    list.intervals.last().is_some_and(|interval| interval.leave.is_none())
 }

@@ -1,12 +1,11 @@
 //! The ambient, diffuse and specular terms, and the shadow rays that they ask for.
 
-use super::closest::{Found, Surface, intersect};
-use super::departure::Departure;
+use super::closest::{Surface, intersect};
+use super::departure::{Ahead, Departure};
 use super::ray::{Components, Ray, Tracer};
-use crate::csg::Boundary;
 use crate::optics::reflect;
 use crate::record::{Counter, Entry, RayKind, Recorder, Value, What};
-use crate::scene::{Light, LightKind, Rgb};
+use crate::scene::{Light, LightKind, Object, Rgb};
 use glam::DVec3;
 
 /// The way to a light.
@@ -117,8 +116,9 @@ impl Tracer<'_> {
         let mut share = 1.0;
         for (index, object) in self.scene.objects.iter().enumerate() {
             let list = intersect(index, object, &shadow, recorder);
-            let departed = shadow.departure.and_then(|departure| departure.boundary(index, &list));
-            share *= self.passed(&Found { object: index, list, departed }, way.limit, recorder);
+            let ahead = shadow.ahead(index, object, &list);
+            ahead.report(object, recorder);
+            share *= self.passed(object, &ahead, way.limit, recorder);
             if share == 0.0 {
                 break;
             }
@@ -128,10 +128,9 @@ impl Tracer<'_> {
     }
 
     /// The share of light that an object lets pass before the light at `limit`.
-    fn passed<R: Recorder>(&self, found: &Found, limit: f64, recorder: &mut R) -> f64 {
-        let object = &self.scene.objects[found.object];
+    fn passed<R: Recorder>(&self, object: &Object, ahead: &Ahead, limit: f64, recorder: &mut R) -> f64 {
         let mut share = 1.0;
-        for (t, leaf) in passages(found, limit) {
+        for (t, leaf) in ahead.passages(limit) {
             let material = &self.scene.materials[object.leaf_materials[leaf]];
             share *= material.transparency;
             recorder.note(|| {
@@ -150,17 +149,4 @@ impl Tracer<'_> {
         }
         share
     }
-}
-
-/// Where the way to the light goes through the object: a hit time and a leaf for each passage.
-fn passages(found: &Found, limit: f64) -> impl Iterator<Item = (f64, usize)> {
-    let counts = move |boundary: &Boundary| boundary.t > 0.0 && Some(*boundary) != found.departed;
-    let through = found.list.intervals.iter().filter_map(move |interval| {
-        let begins_before_light = interval.enter.is_none_or(|enter| enter.t < limit);
-        let ends_in_front = interval.leave.is_none_or(|leave| counts(&leave));
-        let first_met = interval.enter.filter(|enter| enter.t > 0.0).or(interval.leave).or(interval.enter);
-        (begins_before_light && ends_in_front).then(|| first_met.map_or((0.0, 0), |met| (met.t, met.leaf)))
-    });
-    let touched = found.list.touches.iter().filter(move |touch| counts(touch) && touch.t < limit);
-    through.chain(touched.map(|touch| (touch.t, touch.leaf)))
 }

@@ -3,6 +3,7 @@
 mod closest;
 mod departure;
 mod export;
+mod leaving;
 mod light;
 mod media;
 mod picture;
@@ -12,6 +13,8 @@ mod spawn;
 mod tally;
 mod tree;
 
+pub use closest::Surface;
+pub use departure::{Ahead, Departure};
 pub use export::{TRACE_FORMAT, TraceFile, trace_schema};
 pub use picture::{Picture, Progress, render, render_rows, srgb};
 pub use pixel::{record_pixel, record_ray, trace_pixel};

@@ -1,10 +1,11 @@
 //! A ray and the one function that finds the colour that it brings back.
 
 use super::closest::Surface;
-use super::departure::Departure;
+use super::departure::{Ahead, Departure};
+use crate::csg::IntervalList;
 use crate::optics::MediaStack;
-use crate::record::{Counter, Entry, RayKind, Recorder, What};
-use crate::scene::{Rgb, Scene};
+use crate::record::{Counter, Entry, NullRecorder, RayKind, Recorder, What};
+use crate::scene::{Object, Rgb, Scene};
 use glam::DVec3;
 
 /// A ray P(t) = origin + direction t in world space.
@@ -32,6 +33,19 @@ impl Ray {
     pub fn camera(origin: DVec3, direction: DVec3) -> Self {
         let (departure, media) = (None, MediaStack::default());
         Self { kind: RayKind::Camera, origin, direction, depth: 0, weight: 1.0, departure, media }
+    }
+}
+
+impl Ray {
+    /// Which of an object's boundaries along the ray count.
+    pub(super) fn ahead(&self, index: usize, object: &Object, list: &IntervalList) -> Ahead {
+        match self.departure {
+            Some(departure) if departure.object == index => {
+                let list_from = |origin| object.solid.inside::<f64>(origin, self.direction, &mut NullRecorder);
+                departure.ahead(&object.solid, [self.origin, self.direction], list, list_from)
+            }
+            _ => Ahead::of(list),
+        }
     }
 }
 

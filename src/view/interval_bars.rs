@@ -7,7 +7,7 @@ use super::fonts::{Face, text_width};
 use super::labels::{Label, Placer, shortened, wrapped};
 use super::palette::{Colour, Palette, Theme};
 use super::text::{brief, row};
-use crate::record::{Edge, EventId, Operator, Span, What};
+use crate::record::{Certificate, Edge, EventId, Operator, Span, What};
 use crate::trace::RayTree;
 
 /// Sizes in points.
@@ -285,15 +285,30 @@ impl Bars {
         for span in spans {
             for (edge, first, outward) in [(&span.enter, -offset, Anchor::Start), (&span.leave, offset, Anchor::End)] {
                 if let Some(edge) = edge.as_ref().filter(|edge| self.axis.shows(edge.t)) {
+                    if edge.certificate == Certificate::Undecidable {
+                        self.doubtful_end(edge.t, y, thick);
+                    }
                     self.edge(edge, [y + first, y - first], outward);
                 }
             }
         }
     }
 
+    /// An end of which the ray's own numbers do not say whether it exists: a broken line across the bar.
+    fn doubtful_end(&mut self, t: f64, y: f64, thick: f64) {
+        let (x, half) = (self.axis.at(t), 0.5 * thick + 3.0);
+        let stroke = Stroke::dashed(self.palette.bad, 2.5, [3.0, 2.0]);
+        self.drawing.put(Form::Line { points: vec![[x, y - half], [x, y + half]], stroke }, Some(self.event));
+    }
+
     fn edge(&mut self, edge: &Edge, heights: [f64; 2], outward: Anchor) {
         let x = self.axis.at(edge.t);
-        let turned = if edge.flipped { ", turned round" } else { "" };
+        let doubtful = edge.certificate == Certificate::Undecidable;
+        let turned = match (doubtful, edge.flipped) {
+            (true, _) => ", undecidable",
+            (false, true) => ", turned round",
+            (false, false) => "",
+        };
         let long = format!("{}  {} of {}{turned}", brief(edge.t), edge.part, edge.name);
         let middling = format!("{}  {}", brief(edge.t), edge.name);
         for text in [long, middling, brief(edge.t)] {

@@ -9,7 +9,7 @@ use crate::view::{Drawing, Form, Stroke, Theme};
 
 /// An end of an interval.
 pub fn edge(t: f64, leaf: usize, name: &str, part: &str, flipped: bool) -> Edge {
-    Edge { t, leaf, name: name.to_owned(), part: part.to_owned(), flipped }
+    Edge { t, leaf, name: name.to_owned(), part: part.to_owned(), flipped, certificate: Certificate::Certain }
 }
 
 /// A bounded interval.

@@ -41,6 +41,17 @@ impl Probe {
     }
 }
 
+/// The answers to all requests in `input`, as `rayscope probe` writes them: one line each, in order.
+///
+/// For programs that ask without a pipe: fuzzers and tests.
+#[must_use]
+pub fn answers(input: &[u8]) -> Vec<u8> {
+    let mut output = Vec::new();
+    // Reading from memory and writing to it cannot fail; refusals are answers.
+    let _ = converse(BufReader::new(input), &mut output);
+    output
+}
+
 #[derive(Debug, PartialEq, Eq)]
 struct Count {
     answered: usize,

@@ -6,7 +6,7 @@ use super::super::labels::Label;
 use super::super::palette::Colour;
 use super::super::text::brief;
 use super::{SMALL, SideView, TEXT, Waiting};
-use crate::record::{CandidateFate, EventId, RayKind, What};
+use crate::record::{CandidateFate, Certificate, EventId, RayKind, What};
 use glam::DVec3;
 
 /// Length of a normal's arrow, in points, where it lies in the plane.
@@ -18,6 +18,7 @@ const MOST_LABELS: usize = 8;
 impl SideView<'_> {
     pub(super) fn places(&mut self) {
         self.hits();
+        self.undecidable();
         self.candidates();
         self.rejected();
     }
@@ -43,6 +44,31 @@ impl SideView<'_> {
         }
         let frame = self.drawing.frame();
         self.labels.retain(|waiting| frame.contains(waiting.around));
+    }
+
+    /// Where the current ray's own numbers do not say whether it meets a primitive: a broken ring and a question mark.
+    fn undecidable(&mut self) {
+        let flight = self.current().clone();
+        let places: Vec<(EventId, f64)> = self
+            .current_events()
+            .filter_map(|event| match &event.what {
+                What::Decision { near: Some(t), certificate: Certificate::Undecidable, .. } => Some((event.id, *t)),
+                _ => None,
+            })
+            .collect();
+        for (event, t) in places {
+            let at = self.spot_at(&flight, t);
+            if !self.drawing.frame().contains(at) {
+                continue;
+            }
+            if event == self.step {
+                self.ring(at, event);
+            }
+            let stroke = Some(Stroke::dashed(self.palette.bad, 1.8, [3.5, 2.5]));
+            self.drawing.put(Form::Circle { centre: at, radius: 8.0, fill: None, stroke }, event);
+            self.placer.avoid_spot(at, 8.0);
+            self.label_later(at, 9.0, Label::new("hit or miss? undecidable", SMALL, self.palette.bad).of(event));
+        }
     }
 
     fn hit_text(&self, event: EventId, time: String) -> String {

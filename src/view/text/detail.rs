@@ -162,7 +162,7 @@ fn search_lines(what: &What) -> Option<Vec<DetailLine>> {
             pair("undecided to the last bit", undecided.to_string()),
             pair("roots", number_list(roots)),
         ],
-        What::Decision { question, tiers, input_doubt, certificate } => vec![
+        What::Decision { question, tiers, input_doubt, certificate, .. } => vec![
             pair("question", question.clone()),
             tier_table(tiers),
             pair("last places of the ray's numbers", format!("move it by {}", significant(*input_doubt, 2))),
@@ -190,6 +190,7 @@ fn search_lines(what: &What) -> Option<Vec<DetailLine>> {
 /// The hit, or why there is none.
 fn hit_lines(what: &What) -> Option<Vec<DetailLine>> {
     Some(match what {
+        What::Moved { object, by } => vec![pair("object", object.clone()), pair("moved by", format_number(*by))],
         What::Rejected { object, leaf, part, t, reason } => {
             vec![
                 pair("surface", surface(object, leaf, part)),

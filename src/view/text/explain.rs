@@ -45,6 +45,10 @@ fn explain_search(what: &What) -> Option<&'static str> {
         What::Decision { certificate, .. } => decided(*certificate),
         What::Implicit { .. } => "d(t) is positive outside the shape, zero on its surface and negative inside.",
         What::Roots { .. } => "Each hit time that a solver offers is kept or turned down, for a reason.",
+        What::Moved { .. } => {
+            "By rounding the ray started on the wrong side of the surface that it leaves, at so flat an angle that it \
+             would have stayed there. It is asked again from as far beside the surface as rounding can have moved it."
+        }
         What::Combine { operator, early_out, .. } => combined(*operator, early_out.is_some()),
         _ => return None,
     })

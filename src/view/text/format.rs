@@ -1,6 +1,6 @@
 //! Numbers, intervals and tables as text.
 
-use crate::record::{Accuracy, Edge, Span, Triple, format_number};
+use crate::record::{Accuracy, Certificate, Edge, Span, Triple, format_number};
 
 /// A number with four significant digits, for rows and labels where room is short.
 #[must_use]
@@ -54,6 +54,7 @@ pub(super) fn vector(v: Triple) -> String {
 /// An end of an interval: `3.2 wall of shell`, with a note where the leaf is subtracted.
 pub(super) fn edge(edge: &Edge) -> String {
     let turned = if edge.flipped { " (turned round)" } else { "" };
+    let turned = if edge.certificate == Certificate::Undecidable { " (undecidable)" } else { turned };
     format!("{} {} of {}{turned}", format_number(edge.t), edge.part, edge.name)
 }
 
@@ -135,7 +136,14 @@ mod tests {
 
     #[test]
     fn an_unbounded_interval_has_round_brackets() {
-        let top = Edge { t: 2.5, leaf: 0, name: "ground".into(), part: "surface".into(), flipped: false };
+        let top = Edge {
+            t: 2.5,
+            leaf: 0,
+            name: "ground".into(),
+            part: "surface".into(),
+            flipped: false,
+            certificate: Certificate::Certain,
+        };
         assert_eq!(span_list(&[Span { enter: Some(top.clone()), leave: None }]), "[2.5 surface of ground, ∞)");
         assert_eq!(span_list(&[Span { enter: None, leave: Some(top) }]), "(−∞, 2.5 surface of ground]");
         assert_eq!(span_list(&[]), "empty");

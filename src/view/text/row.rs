@@ -40,10 +40,11 @@ fn icon(what: &What) -> &'static str {
         What::Quartic { .. } => "⁴",
         What::Search { .. } => "≈",
         What::Decision { certificate: Certificate::Undecidable, .. } => "?",
-        What::Decision { .. } => "⚖",
+        What::Decision { .. } => "±",
         What::Implicit { .. } => "ƒ",
         What::Roots { .. } => "√",
         What::Combine { operator, .. } => operator.sign(),
+        What::Moved { .. } => "↕",
         What::Rejected { .. } => "✗",
         What::Hit { .. } => "✓",
         What::Nothing { .. } => "∅",
@@ -92,6 +93,7 @@ fn label(what: &What) -> String {
             let of = if name == operator.name() { String::new() } else { format!("{name} = ") };
             format!("{of}left {} right{out}", operator.sign())
         }
+        What::Moved { object, .. } => format!("start moved off the surface of {object}"),
         What::Rejected { object, leaf, part, .. } => format!("not {}", surface(object, leaf, part)),
         What::Hit { object, leaf, part, .. } => format!("hit {}", surface(object, leaf, part)),
         What::Nothing { .. } => "nothing in front: the background".to_owned(),
@@ -137,6 +139,7 @@ fn numbers(event: &Event) -> String {
         | What::Implicit { roots, .. } => times_at(roots.iter().copied()),
         What::Decision { tiers, .. } => tiers.last().map(margin).unwrap_or_default(),
         What::Combine { combined, .. } => times(combined),
+        What::Moved { by, .. } => format!("by {}", brief(*by)),
         What::Rejected { t, reason, .. } => format!("t = {}: {reason}", brief(*t)),
         What::Hit { t, point, .. } => format!("t = {} at {}", brief(*t), brief_vector(*point)),
         What::Nothing { background } => brief_vector(*background),

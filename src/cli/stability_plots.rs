@@ -1,0 +1,97 @@
+//! The plots of `rayscope stability`: the solvers followed into the distance and towards tangents.
+
+use super::failure::{Failure, reason};
+use super::output::Output;
+use crate::accuracy::{Place, Question, Subject, experiment, plot};
+use crate::view::{self, log_plot};
+use clap::ValueEnum;
+use std::fs;
+use std::path::Path;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+
+/// Plots are this large, in points, and PNGs have two pixels a point.
+const SIZE: [f64; 2] = [760.0, 560.0];
+const PIXELS_PER_POINT: f32 = 2.0;
+
+/// What is plotted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum PlotKind {
+    /// Error and wrong answers against the distance of the ray's start
+    Distance,
+    /// Error and wrong answers against the gap between the ray and a tangent or edge
+    Tangency,
+}
+
+/// Colours of plots.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub enum Theme {
+    /// Dark on white
+    Light,
+    /// Light on black
+    Dark,
+}
+
+impl PlotKind {
+    /// Both.
+    pub const ALL: [Self; 2] = [Self::Distance, Self::Tangency];
+
+    const fn question(self) -> Question {
+        match self {
+            Self::Distance => Question::Distance,
+            Self::Tangency => Question::Tangency,
+        }
+    }
+
+    /// How many places it has on its x axis.
+    pub fn places(self) -> usize {
+        self.question().places().len()
+    }
+
+    /// The file that it is written to in a folder of plots.
+    pub fn file_name(self, subject: &Subject) -> String {
+        let kind = match self {
+            Self::Distance => "distance",
+            Self::Tangency => "tangency",
+        };
+        format!("error_{kind}_{}.svg", subject.name)
+    }
+}
+
+/// How far the work is, and whether it is to stop.
+pub struct Watch<'a> {
+    /// Places that are finished.
+    pub done: &'a AtomicUsize,
+    /// Set by Ctrl-C.
+    pub stopped: &'a AtomicBool,
+}
+
+/// The plot of one subject, as SVG or PNG.
+pub fn drawn(kind: PlotKind, subject: &Subject, theme: Theme, as_png: bool, watch: &Watch) -> Result<Vec<u8>, Failure> {
+    let count = || {
+        watch.done.fetch_add(1, Ordering::Relaxed);
+    };
+    let places: Vec<Place> = experiment(kind.question(), subject, || watch.stopped.load(Ordering::Relaxed), count);
+    if watch.stopped.load(Ordering::Relaxed) {
+        return Err(Failure::interrupted("interrupted; the plot that was being worked on was not written"));
+    }
+    let theme = match theme {
+        Theme::Light => view::Theme::Light,
+        Theme::Dark => view::Theme::Dark,
+    };
+    let drawing = log_plot(&plot(kind.question(), subject, &places), SIZE, theme);
+    Ok(if as_png { view::png(&drawing, PIXELS_PER_POINT) } else { view::svg(&drawing).into_bytes() })
+}
+
+/// All plots of the subjects as SVG files in a folder, which is made if it is not there.
+pub fn write_all(folder: &Path, subjects: &[Subject], theme: Theme, watch: &Watch) -> Result<(), Failure> {
+    fs::create_dir_all(folder).map_err(|error| {
+        Failure::refused(format!("cannot make the folder {}: {}", folder.display(), reason(&error)))
+    })?;
+    for subject in subjects {
+        for kind in PlotKind::ALL {
+            let output = Output::create(Some(&folder.join(kind.file_name(subject))))?;
+            output.write(&drawn(kind, subject, theme, false, watch)?)?;
+        }
+    }
+    Ok(())
+}
