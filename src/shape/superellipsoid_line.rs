@@ -258,6 +258,14 @@ impl<'a, A: Real> Line<'a, A> {
         self.blurred(along, shares) * f64::UNIT_ROUNDOFF / (4.0 * A::UNIT_ROUNDOFF)
     }
 
+    /// A root in a coordinate plane.
+    pub fn root_in_plane(&self, at: A) -> Root {
+        let tau = (self.foot + at).to_f64();
+        let drift = self.axes.iter().filter(|axis| axis.moves).fold(0.0_f64, |most, axis| most.max(axis.haze));
+        let error = drift * f64::UNIT_ROUNDOFF / A::UNIT_ROUNDOFF + f64::EPSILON * tau.abs();
+        Root { tau, error, part: 0 }
+    }
+
     /// A root, with the bound on its error; `probe` is next to it.
     pub fn root(&self, tau: A, probe: &Probe<A>, gradient: [f64; 3]) -> Root {
         let tau = tau.to_f64();

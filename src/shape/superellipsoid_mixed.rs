@@ -11,7 +11,7 @@
 
 use super::superellipsoid_line::Line;
 use super::superellipsoid_root::{Bracket, Cusp};
-use super::superellipsoid_search::{Search, is_inside};
+use super::superellipsoid_search::Search;
 use crate::math::Real;
 
 /// d = ρ − σ at one place of the ray.
@@ -25,6 +25,8 @@ struct Cut<A> {
     value: f64,
     doubt: f64,
     inside: bool,
+    /// Whether it is on the surface, as far as can be told.
+    touches: bool,
     /// ρ′ and σ′; in a plane with a cusp there are none.
     slopes: [f64; 2],
     /// The exponent of a coordinate that is zero here and makes a cusp.
@@ -97,7 +99,9 @@ impl<A: Real> Search<'_, A> {
         }
         self.note(at, value, doubt);
         self.is_told(value, doubt);
-        cut.inside = is_inside::<A>(value, doubt);
+        // What cannot be told from a touch by 32 digits counts as outside.
+        cut.touches = A::DOUBT_IS_ZERO && value.abs() <= doubt;
+        cut.inside = value < 0.0 && !cut.touches;
         cut
     }
 
@@ -158,10 +162,14 @@ impl<A: Real> Search<'_, A> {
 
     /// The one root of a stretch.
     fn root_between(&mut self, left: &Cut<A>, right: &Cut<A>, length: f64) {
+        if let Some(touching) = [left, right].into_iter().find(|cut| cut.touches) {
+            self.findings.roots.push(self.line.root_in_plane(touching.at));
+            return;
+        }
         let inside = if left.inside { left } else { right };
         let cusp = inside.cusp.map(|exponent| {
             let excess = self.line.probe(inside.at).excess;
-            Cusp { at: inside.at, excess, exponent }
+            Cusp { at: inside.at, excess, exponent, touches: false }
         });
         let start = match (left.newton(true, length), right.newton(false, length)) {
             (Some(a), Some(b)) if a > b => right.at - A::from_f64(b),
@@ -204,6 +212,7 @@ fn cut<A: Real>(line: &Line<A>, at: A) -> Cut<A> {
         value,
         doubt,
         inside: value < 0.0,
+        touches: false,
         slopes: [terms[0] + terms[1], section_slope],
         cusp: None,
     }

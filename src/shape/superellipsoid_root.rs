@@ -30,6 +30,8 @@ pub(super) struct Cusp<A> {
     pub excess: f64,
     /// How F grows with the distance.
     pub exponent: f64,
+    /// Whether it is on the surface itself, as far as can be told.
+    pub touches: bool,
 }
 
 impl<A: Real> Cusp<A> {
@@ -60,11 +62,16 @@ const MOST_STEPS: usize = 240;
 /// The root.
 pub(super) fn root_in<A: Real>(line: &Line<A>, bracket: Bracket<A>) -> Root {
     let Bracket { mut low, mut high, rising, start, cusp } = bracket;
+    if let Some(touching) = cusp.filter(|cusp| cusp.touches) {
+        return line.root_in_plane(touching.at);
+    }
     let half = A::from_f64(0.5);
     let middle = |low: A, high: A| low + (high - low) * half;
     let mut at = if low < start && start < high { start } else { middle(low, high) };
     let mut last = (high - low).to_f64();
     let short = SHORT.max(A::UNIT_ROUNDOFF / 32.0);
+    // Convergence shows in two steps of the method, not in one after a halving.
+    let mut converges = false;
     let (mut exact, mut best) = (line.exponents.is_smooth(), None);
     for round in 0..MOST_STEPS {
         let tau = line.foot + at;
@@ -80,12 +87,14 @@ pub(super) fn root_in<A: Real>(line: &Line<A>, bracket: Bracket<A>) -> Root {
         };
         let size = step.abs();
         let next = at + A::from_f64(step);
-        let fits = low <= next && next <= high;
+        let fits = low < next && next < high || next == at;
         if exact {
             // What the next step would be, as the last two go.
-            let expected = size * (size / last).powi(order);
+            let scale = cusp.map_or(last, |cusp| last.min((at - cusp.at).to_f64().abs()));
+            let expected = size * (size / scale).powi(if converges { order } else { 1 });
             let in_noise = probe.log.abs() <= 2.0 * A::UNIT_ROUNDOFF * line.exponents.roundings();
-            let done = fits && expected <= short || size <= short || in_noise;
+            // Far from the surface a step of nothing only says that T has overflowed.
+            let done = in_noise || probe.excess.abs() < 0.1 && (fits && expected <= short || size <= short);
             let moved = if size.is_finite() && (fits || size <= NEAR * last) { tau + A::from_f64(step) } else { tau };
             best = Some(line.root(moved, &probe, gradient));
             if done {
@@ -98,6 +107,7 @@ pub(super) fn root_in<A: Real>(line: &Line<A>, bracket: Bracket<A>) -> Root {
             exact = true;
         }
         last = if halve { (high - low).to_f64() } else { size };
+        converges = !halve;
         exact |= last < NEAR;
     }
     best.unwrap_or_default()

@@ -110,7 +110,12 @@ impl<A: Real> Search<'_, A> {
                 return;
             }
             let exponent = self.line.exponents.of_axis(axis);
-            let inside = is_inside::<A>(probe.log, doubt).then_some(Cusp { at, excess: probe.excess, exponent });
+            let inside = is_inside::<A>(probe.log, doubt).then_some(Cusp {
+                at,
+                excess: probe.excess,
+                exponent,
+                touches: probe.log.abs() <= doubt,
+            });
             self.piece([low, at], before, inside);
             (low, before) = (at, inside);
         }
@@ -211,6 +216,144 @@ impl<A: Real> Search<'_, A> {
 }
 
 /// What lies within the doubt of the finest arithmetic counts as inside: a touch from within is no hit.
-pub(super) fn is_inside<A: Real>(value: f64, doubt: f64) -> bool {
+fn is_inside<A: Real>(value: f64, doubt: f64) -> bool {
     value < 0.0 || A::DOUBT_IS_ZERO && value <= doubt
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::testing::solve;
+    use super::super::{Primitive, Superellipsoid};
+    use super::*;
+    use crate::math::DoubleDouble;
+    use glam::DVec3;
+    use proptest::prelude::*;
+
+    /// Whether the ray is inside at t, from the definition of F alone; unknown where rounding of t decides.
+    fn is_inside_at(shape: &Superellipsoid, [n, m]: [f64; 2], origin: DVec3, direction: DVec3, t: f64) -> Option<bool> {
+        let plain = shape.implicit(origin + direction * t);
+        if plain.abs() > 1e-6 {
+            return Some(plain < 0.0);
+        }
+        let number = DoubleDouble::from_f64;
+        let place = |i: usize| (number(origin[i]) + number(direction[i]) * number(t)).abs();
+        let power = |x: DoubleDouble, p: f64, q: f64| x.powf(number(p) / number(q));
+        let radius = power(power(place(0), n, 1.0) + power(place(1), n, 1.0), m, n);
+        let wide = (radius + power(place(2), m, 1.0) - DoubleDouble::ONE).to_f64();
+        (wide.abs() > 1e-20).then_some(wide < 0.0)
+    }
+
+    /// Samples the sign of F and asserts that between neighbouring samples it changes as often as there are crossings, but
+    /// for pairs between two samples.
+    fn check_against_samples([n, m]: [f64; 2], origin: DVec3, direction: DVec3, samples: u32) {
+        let shape = Superellipsoid::new(n, m).unwrap();
+        let crossings = solve::<f64>(&shape, origin, direction);
+        let middle = -origin.dot(direction) / direction.length_squared();
+        let half = 2.0 / direction.length();
+        let at = |k: u32| middle - half + 2.0 * half * (f64::from(k) + 0.37) / f64::from(samples);
+        for t in (0..samples).map(at) {
+            if crossings.iter().any(|crossing| (crossing.t - t).abs() <= crossing.error) {
+                continue;
+            }
+            let before = crossings.iter().filter(|crossing| crossing.t < t).count();
+            let inside = is_inside_at(&shape, [n, m], origin, direction, t);
+            assert!(
+                inside.is_none_or(|inside| inside == (before % 2 == 1)),
+                "n = {n}, m = {m}, S = {origin}, c = {direction}, t = {t}: {inside:?} behind {before} of {crossings:?}"
+            );
+        }
+    }
+
+    /// An exponent from 0.1 to 50, evenly on a logarithmic scale.
+    fn exponent() -> impl Strategy<Value = f64> {
+        (0.1_f64.ln()..50.0_f64.ln()).prop_map(f64::exp)
+    }
+
+    fn vector(size: f64) -> impl Strategy<Value = DVec3> {
+        prop::array::uniform3(-size..size).prop_map(DVec3::from_array)
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(400))]
+
+        #[test]
+        fn dense_samples_find_no_crossing_that_was_missed(n in exponent(), m in exponent(), origin in vector(5.0), aim in vector(0.7)) {
+            check_against_samples([n, m], origin, aim - origin, 2000);
+        }
+
+        #[test]
+        fn so_it_is_in_coordinate_planes_and_along_axes(n in exponent(), m in exponent(), origin in vector(5.0), aim in vector(0.7), axis in 0..3_usize) {
+            let mut flat = [origin.to_array(), (aim - origin).to_array()];
+            flat[0][axis] = 0.0;
+            flat[1][axis] = 0.0;
+            check_against_samples([n, m], flat[0].into(), flat[1].into(), 1000);
+            let mut straight = [0.0; 3];
+            straight[axis] = 2.0;
+            check_against_samples([n, m], aim, straight.into(), 1000);
+        }
+
+        #[test]
+        fn exponents_at_the_ends_are_no_exception(
+            n in prop::sample::select(vec![0.05, 0.3, 1.0, 2.0, 20.0, 1000.0]),
+            m in prop::sample::select(vec![0.05, 0.3, 1.0, 2.0, 20.0, 1000.0]),
+            origin in vector(5.0),
+            aim in vector(1.0),
+        ) {
+            check_against_samples([n, m], origin, aim - origin, 1000);
+        }
+    }
+
+    fn times(n: f64, m: f64, origin: [f64; 3], direction: [f64; 3]) -> Vec<f64> {
+        let shape = Superellipsoid::new(n, m).unwrap();
+        solve::<f64>(&shape, origin.into(), direction.into()).iter().map(|hit| hit.t).collect()
+    }
+
+    #[test]
+    fn a_gap_of_three_hundred_millionths_beyond_a_cusp_is_found() {
+        // √|x| + √y = 1 with √y = 1 − 2⁻¹³, of which the square is exact, so |x| = 2⁻²⁶.
+        let (height, half) = ((1.0 - 2.0_f64.powi(-13)).powi(2), 2.0_f64.powi(-26));
+        let expect = |found: Vec<f64>| {
+            assert_eq!(found.len(), 2, "{found:?}");
+            assert!(found.iter().zip([2.0 - half, 2.0 + half]).all(|(a, b)| (a - b).abs() < 1e-15), "{found:?}");
+        };
+        for m in [0.3, 0.5, 0.9, 1.0, 2.0, 7.5] {
+            expect(times(0.5, m, [-2.0, height, 0.0], [1.0, 0.0, 0.0]));
+        }
+        for n in [0.3, 0.5, 0.9, 1.0, 2.0, 7.5] {
+            expect(times(n, 0.5, [height, 0.0, -2.0], [0.0, 0.0, 1.0]));
+            expect(times(n, 0.5, [-2.0, 0.0, height], [1.0, 0.0, 0.0]));
+        }
+    }
+
+    #[test]
+    fn the_smallest_and_the_largest_exponents_meet_diagonals_where_they_should() {
+        // 2 x^p = 1.
+        let (small, large) = (2.0_f64.powi(-20), 2.0_f64.powf(-0.001));
+        let cases = [
+            (0.05, 0.05, [1.0, 1.0, 0.0], small),
+            (0.05, 1000.0, [1.0, 1.0, 0.0], small),
+            (1000.0, 0.05, [1.0, 0.0, 1.0], small),
+            (1000.0, 1000.0, [0.0, 1.0, 1.0], large),
+            (1000.0, 0.05, [1.0, 1.0, 0.0], large),
+            (0.05, 1000.0, [1.0, 0.0, 1.0], large),
+        ];
+        for (n, m, direction, expected) in cases {
+            let found = times(n, m, [0.0; 3], direction);
+            assert_eq!(found.len(), 2, "{n} {m}: {found:?}");
+            assert!((found[0] + expected).abs() < 1e-14 && (found[1] - expected).abs() < 1e-14, "{n} {m}: {found:?}");
+        }
+    }
+
+    #[test]
+    fn ordinary_rays_need_few_stretches() {
+        // Convex: a place inside and what is on either side. Concave: four pieces, and a tangent in each of the middle two.
+        for (n, m, most) in [(2.0, 2.0, 3), (8.0, 8.0, 3), (0.5, 0.5, 6), (3.0, 0.7, 12), (0.7, 3.0, 12)] {
+            let exponents = Exponents::new(n, m);
+            let ray = GenericRay::<f64>::new(DVec3::new(3.0, 1.0, 0.5), DVec3::new(-3.0, -0.8, -0.4));
+            let attempt = search(&exponents, &ray);
+            let stretches = attempt.found.stretches;
+            assert!(attempt.decided && attempt.found.undecided == 0 && stretches <= most, "{n} {m}: {stretches}");
+            assert_eq!(attempt.found.roots.as_ref().len(), 2, "{n} {m}");
+        }
+    }
 }
