@@ -353,7 +353,9 @@ mod tests {
             let attempt = search(&exponents, &ray);
             let stretches = attempt.found.stretches;
             assert!(attempt.decided && attempt.found.undecided == 0 && stretches <= most, "{n} {m}: {stretches}");
-            assert_eq!(attempt.found.roots.as_ref().len(), 2, "{n} {m}");
+            // The hollow one is left and entered again: at t = 1.1 it is √0.3 + √0.12 + √0.06 = 1.14.
+            let expected = if n == m && n < 1.0 { 4 } else { 2 };
+            assert_eq!(attempt.found.roots.as_ref().len(), expected, "{n} {m}");
         }
     }
 }
