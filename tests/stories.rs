@@ -100,6 +100,24 @@ fn the_glass_cube_reflects_totally_past_its_critical_angle() {
     assert!(seen > 0);
 }
 
+/// Balls of glass that are mirrors too, one in the other: each hit spawns two rays.
+const DOUBLING: &str = r#"{
+    "camera": {"eye": [0, -6, 0.5], "look_at": [0, 0, 0], "up": [0, 0, 1], "field_of_view": 40},
+    "image": {"width": 9, "height": 9},
+    "limits": {"depth": 50, "contribution": 0},
+    "materials": {"both": {"reflectivity": 1, "transparency": 1, "index_of_refraction": 1.5}},
+    "objects": [{"shape": "sphere", "material": "both"},
+                {"shape": "sphere", "material": "both", "transform": [{"scale": 0.75}]},
+                {"shape": "sphere", "material": "both", "transform": [{"scale": 0.5}]}]
+}"#;
+
+#[test]
+fn rays_that_double_at_every_hit_end_at_a_stated_number() {
+    let scene = load(DOUBLING, "doubling").unwrap_or_else(|errors| panic!("{errors}"));
+    let tree = record_pixel(&scene, 4, 4);
+    assert!(tree.events.iter().any(|event| matches!(&event.what, What::Limit { limit, .. } if limit == "rays")));
+}
+
 #[test]
 fn mirrors_that_face_each_other_end_at_a_stated_limit() {
     let trees = telling_trees(&scene("optics/mirrors"));

@@ -28,9 +28,25 @@ struct Toggle {
     from_right: bool,
 }
 
-/// The inside set of `left OP right`. Touches bound nothing and are dropped.
-#[must_use]
-pub fn combine(operator: Operator, left: &IntervalList, right: &IntervalList) -> IntervalList {
+/// Boundaries of two operands that cannot be told apart, though their times differ.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Tie {
+    /// The time of the first of them.
+    pub t: f64,
+    /// How far the others are from it.
+    pub gap: f64,
+    /// What their errors come to.
+    pub doubt: f64,
+}
+
+/// The inside set of `left OP right`. Touches bound nothing and are dropped. `tied` is told of boundaries that differ and
+/// were crossed together all the same.
+pub(super) fn combine(
+    operator: Operator,
+    left: &IntervalList,
+    right: &IntervalList,
+    tied: &mut impl FnMut(Tie),
+) -> IntervalList {
     let toggles = merged(left, right);
     let mut inside = [starts_inside(left), starts_inside(right)];
     let mut result = Vec::new();
@@ -39,6 +55,9 @@ pub fn combine(operator: Operator, left: &IntervalList, right: &IntervalList) ->
     let mut rest = toggles.as_slice();
     while !rest.is_empty() {
         let (group, after) = rest.split_at(crossed_together(rest));
+        if let Some(tie) = tie(group) {
+            tied(tie);
+        }
         let before = inside;
         for toggle in group {
             inside[usize::from(toggle.from_right)] = toggle.sense == Sense::Enter;
@@ -82,6 +101,13 @@ fn merged(left: &IntervalList, right: &IntervalList) -> Vec<Toggle> {
     toggles
 }
 
+/// What is in doubt about toggles that are crossed together: nothing where they coincide to the last digit.
+fn tie(group: &[Toggle]) -> Option<Tie> {
+    let [first, .., last] = group else { return None };
+    let (t, gap) = (first.boundary.t, last.boundary.t - first.boundary.t);
+    (gap > 0.0).then_some(Tie { t, gap, doubt: first.boundary.error + last.boundary.error })
+}
+
 /// How many of the first toggles cannot be told apart. Toggles of one operand alone always can: its list is in order.
 fn crossed_together(toggles: &[Toggle]) -> usize {
     let mut reach = toggles[0].boundary.t + toggles[0].boundary.error;
@@ -112,6 +138,10 @@ fn responsible(operator: Operator, group: &[Toggle], before: [bool; 2], after: [
 mod tests {
     use super::*;
     use crate::record::Certificate;
+
+    fn combine(operator: Operator, left: &IntervalList, right: &IntervalList) -> IntervalList {
+        super::combine(operator, left, right, &mut |_| ())
+    }
     use proptest::prelude::*;
 
     fn boundary(t: f64, leaf: usize) -> Boundary {
@@ -163,6 +193,19 @@ mod tests {
             }
         }
         assert_eq!(spans(&combine(Operator::Union, &a, &b)), [(0.0, 2.0)]);
+    }
+
+    #[test]
+    fn a_tie_is_told_of_unless_the_times_are_the_same() {
+        let mut ties = Vec::new();
+        let a = list(0, &[(0.0, 1.0)]);
+        super::combine(Operator::Union, &a, &a, &mut |tie| ties.push(tie));
+        assert!(ties.is_empty());
+        let mut b = list(1, &[(0.0, 1.0 + 1e-12)]);
+        b.intervals[0].leave.as_mut().unwrap().error = 1e-11;
+        super::combine(Operator::Union, &a, &b, &mut |tie| ties.push(tie));
+        let [Tie { t, gap, doubt }] = ties[..] else { panic!("{ties:?}") };
+        assert!(t == 1.0 && (gap - 1e-12).abs() < 1e-15 && doubt == 1e-11);
     }
 
     #[test]

@@ -62,7 +62,8 @@ impl Placement {
         GenericRay::mapped(
             [origin, direction],
             [inverse.transform_point3(origin), inverse.transform_vector3(direction)],
-            [self.sizes.transform_point3(origin.abs()), self.sizes.transform_vector3(direction.abs())],
+            // Twice, for the matrix was itself rounded when it was composed.
+            [self.sizes.transform_point3(origin.abs()) * 2.0, self.sizes.transform_vector3(direction.abs()) * 2.0],
             &self.wide_generic_from_world,
         )
     }

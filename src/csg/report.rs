@@ -1,8 +1,10 @@
 //! What is told of a ray's way through a solid.
 
+use super::combine::Tie;
 use super::solid::Lists;
 use super::{Boundary, Extent, Interval, IntervalList, Leaf, Node, Solid};
-use crate::record::{Edge, Entry, Operator, Recorder, Span, Value, What};
+use crate::math::{DoubleDouble, Real};
+use crate::record::{Certificate, Edge, Entry, Operator, Recorder, Span, Tier, Value, What};
 use glam::DVec3;
 
 /// The test against a box.
@@ -45,6 +47,28 @@ pub fn combine(solid: &Solid, name: &str, operator: Operator, lists: &Lists, ear
         right: lists.right.as_ref().map(|right| spans(solid, right)),
         combined: spans(solid, &lists.combined),
         early_out: early_out.map(str::to_owned),
+    })
+}
+
+/// How boundaries of two operands that the fast arithmetic could not tell apart were told apart after all, or were not.
+#[track_caller]
+pub fn tie<A: Real>(first: Tie, second: Option<Tie>) -> Entry {
+    let tier = |arithmetic: &str, tie: Tie| Tier {
+        arithmetic: arithmetic.to_owned(),
+        value: tie.gap,
+        doubt: tie.doubt,
+        decided: false,
+        operations: 0,
+        f64_operations: 0,
+    };
+    let (gap, doubt) = second.map_or((first.gap, 0.0), |tie| (tie.gap, tie.doubt));
+    let last = Tier { decided: second.is_none(), ..tier(DoubleDouble::NAME, Tie { gap, doubt, ..first }) };
+    Entry::new(What::Decision {
+        question: "Do boundaries of two operands lie apart?".to_owned(),
+        tiers: vec![tier(A::NAME, first), last],
+        input_doubt: doubt,
+        near: Some(first.t),
+        certificate: if second.is_some() { Certificate::Undecidable } else { Certificate::Fallback },
     })
 }
 

@@ -1,12 +1,13 @@
 //! A solid: placed primitives joined by a binary Boolean tree, and the inside set that a ray has in it (§ 6.5.3).
 
-use super::combine::combine;
+use super::combine::{Tie, combine};
 use super::report;
 use super::{Boundary, Extent, Interval, IntervalList, Placement};
-use crate::math::Real;
-use crate::record::{Counter, Operator, Recorder, Sense};
+use crate::math::{DoubleDouble, Real};
+use crate::record::{Counter, NullRecorder, Operator, Recorder, Sense};
 use crate::shape::{Crossing, Primitive, Shape};
 use glam::DVec3;
+use std::cell::Cell;
 
 /// A placed primitive.
 #[derive(Clone, Debug, PartialEq)]
@@ -116,8 +117,15 @@ impl Solid {
     }
 
     /// The inside intervals of the ray origin + direction t, for **all** real t.
+    ///
+    /// Where the arithmetic cannot tell boundaries of two operands apart whose times differ, all is asked again with 32
+    /// digits. What these cannot tell apart either, the ray's own numbers leave open: it is crossed together.
     pub fn inside<A: Real>(&self, origin: DVec3, direction: DVec3, recorder: &mut impl Recorder) -> IntervalList {
-        Query { solid: self, origin, direction }.node::<A, _>(&self.root, recorder)
+        let query = Query { solid: self, origin, direction, tie: Cell::new(None) };
+        if A::FINEST || matches!(self.root, Node::Leaf { .. }) {
+            return query.node::<A, _>(&self.root, recorder);
+        }
+        query.adaptively::<A, _>(recorder)
     }
 
     /// The unit normal at a boundary, in world space, out of the whole solid.
@@ -135,9 +143,28 @@ struct Query<'a> {
     solid: &'a Solid,
     origin: DVec3,
     direction: DVec3,
+    /// Boundaries of two operands that could not be told apart: the first that were met.
+    tie: Cell<Option<Tie>>,
 }
 
 impl Query<'_> {
+    /// The whole tree, in the fast arithmetic if that is enough.
+    fn adaptively<A: Real, R: Recorder>(&self, recorder: &mut R) -> IntervalList {
+        let root = &self.solid.root;
+        // What is told is the way that decided; so it has to be known first which one that is.
+        let first =
+            if R::RECORDING { self.node::<A, _>(root, &mut NullRecorder) } else { self.node::<A, R>(root, recorder) };
+        match self.tie.take() {
+            None if R::RECORDING => self.node::<A, R>(root, recorder),
+            None => first,
+            Some(tie) => {
+                let list = self.node::<DoubleDouble, R>(root, recorder);
+                recorder.note(|| report::tie::<A>(tie, self.tie.get()));
+                list
+            }
+        }
+    }
+
     fn node<A: Real, R: Recorder>(&self, node: &Node, recorder: &mut R) -> IntervalList {
         match node {
             Node::Leaf { leaf, extent } => self.leaf::<A, R>(*leaf, extent, recorder),
@@ -171,7 +198,9 @@ impl Query<'_> {
             return (Lists { left: left_list, ..Lists::default() }, Some(reason));
         }
         let right_list = self.node::<A, R>(right, recorder);
-        let combined = combine(operator, &left_list, &right_list);
+        let combined = combine(operator, &left_list, &right_list, &mut |tie| {
+            self.tie.set(Some(self.tie.get().unwrap_or(tie)));
+        });
         let early_out = early_out(operator, &left_list, &right_list);
         if R::RECORDING {
             let lists = [&left_list, &right_list];

@@ -312,7 +312,7 @@ pub enum What {
     },
     /// Something that was stopped or left out.
     Limit {
-        /// Which limit: `depth`, `contribution`, `recording size`.
+        /// Which limit: `depth`, `contribution`, `rays`, `recording size`.
         limit: String,
         /// Its value.
         at: f64,

@@ -141,6 +141,11 @@ fn edges(planes: &[HalfSpace]) -> Vec<[DVec3; 2]> {
         for j in 0..i {
             let Some(line) = meeting_line(&planes[i], &planes[j]) else { continue };
             let others = planes.iter().copied().enumerate().filter(|(k, _)| *k != i && *k != j);
+            // Most pairs meet far outside, which the fast arithmetic sees as well.
+            let rough = planes::clip(&line.exactly::<f64>(), others.clone(), |_| ());
+            if rough.decided && !rough.found.hits {
+                continue;
+            }
             let clip = planes::clip(&line, others, |_| ()).found;
             let (true, Some(from), Some(to)) = (clip.hits, clip.enter, clip.leave) else { continue };
             let edge = [from, to].map(|end| line.point(end.time));

@@ -34,7 +34,7 @@ use super::solver::{self, Attempt, Call, Solver};
 use super::tapered_wall::Wall;
 use super::{Bounds, Crossing, GenericRay, HalfSpace, Part, Primitive, outline, plane_table, report};
 use crate::math::Real;
-use crate::record::{Candidate, Entry, Recorder, Sense, Value, What, format_number};
+use crate::record::{Candidate, Entry, Recorder, Sense, format_number};
 use glam::{DVec2, DVec3};
 
 pub(super) const WALL: Part = 0;
@@ -200,7 +200,7 @@ impl Solver for TaperedCylinder {
     }
 
     fn working<A: Real>(&self, ray: &GenericRay<A>, solution: &Solution<A>) -> Vec<Entry> {
-        vec![plane_table::axis_table(ray, &DISCS), self.wall_working(ray, &solution.wall)]
+        vec![plane_table::axis_table(ray, &DISCS), solution.wall.working(self.s, ray)]
     }
 
     /// The times that were looked at and are not on the solid.
@@ -304,73 +304,6 @@ const DISCS: [(HalfSpace, &str); 2] =
     [(HalfSpace { normal: DVec3::NEG_Z, offset: 0.0 }, "base"), (HalfSpace { normal: DVec3::Z, offset: 1.0 }, "cap")];
 
 impl TaperedCylinder {
-    /// The wall's quadratic in the shared t, with its working.
-    #[expect(clippy::many_single_char_names, reason = "the symbols of the head of the file")]
-    fn wall_working<A: Real>(self, ray: &GenericRay<A>, wall: &Wall<A>) -> Entry {
-        let scale = ray.t_per_tau;
-        let per_t = 1.0 / scale;
-        let measured = |x: A, powers: f64| report::measured(x, powers);
-        let quadratic = &wall.quadratic;
-        let (a, b, c) =
-            (measured(quadratic.a, per_t * per_t), measured(quadratic.b, per_t), measured(quadratic.c, 1.0));
-        let discriminant = measured(quadratic.discriminant, per_t * per_t);
-        let (w, d) = (measured(wall.w, 1.0), measured(wall.d, per_t));
-        let [p, q, r] = wall.minors.map(|minor| measured(minor, per_t));
-        let polished = wall.roots().into_iter().flatten().map(|tau| wall.polished(ray, tau));
-        let roots: Vec<_> = polished.map(|tau| measured(tau, scale)).collect();
-        let roots: Vec<_> = roots.into_iter().filter(|root| root.value.is_finite()).collect();
-        let ([x, y, z], [c_x, c_y, c_z]) = (ray.start(), ray.course());
-        let number = Value::Number;
-        let bindings = [
-            ("s", number(self.s)),
-            ("S_x", number(x)),
-            ("S_y", number(y)),
-            ("S_z", number(z)),
-            ("c_x", number(c_x)),
-            ("c_y", number(c_y)),
-            ("c_z", number(c_z)),
-            ("w", number(w.value)),
-            ("d", number(d.value)),
-            ("p", number(p.value)),
-            ("q", number(q.value)),
-            ("r", number(r.value)),
-            ("A", number(a.value)),
-            ("B", number(b.value)),
-            ("C", number(c.value)),
-            ("D", number(discriminant.value)),
-        ];
-        let mut entry = Entry::new(What::Quadratic {
-            about: "the wall x² + y² = (1 + (s − 1) z)²".to_owned(),
-            a: a.value,
-            b: b.value,
-            c: c.value,
-            discriminant: discriminant.value,
-            recentred_at: 0.0,
-            roots: roots.iter().map(|root| root.value).collect(),
-        })
-        .line("w", "1 + (s − 1) S_z", &bindings, w)
-        .line("d", "(s − 1) c_z", &bindings, d)
-        .line("A", "c_x² + c_y² − d²", &bindings, a)
-        .line("B", "S_x c_x + S_y c_y − w d", &bindings, b)
-        .line("C", "S_x² + S_y² − w²", &bindings, c)
-        .line("p", "S_x d − w c_x", &bindings, p)
-        .line("q", "S_y d − w c_y", &bindings, q)
-        .line("r", "S_x c_y − S_y c_x", &bindings, r)
-        .line("D", "p² + q² − r²", &bindings, discriminant);
-        if let [first, second] = roots[..] {
-            let (low, high) = if a.value > 0.0 { ("−", "+") } else { ("+", "−") };
-            entry = entry.line("t₁", &format!("(−B {low} √D) / A"), &bindings, first).line(
-                "t₂",
-                &format!("(−B {high} √D) / A"),
-                &bindings,
-                second,
-            );
-        } else if let [only] = roots[..] {
-            entry = entry.line("t", "−C / (2 B)", &bindings, only);
-        }
-        entry
-    }
-
     /// Why a point of the given part's surface is not on the solid.
     fn reason(self, point: DVec3, part: Part) -> String {
         let radius = point.truncate().length();
@@ -391,6 +324,7 @@ impl TaperedCylinder {
 mod tests {
     use super::super::testing::*;
     use super::*;
+    use crate::record::What;
 
     impl Samples for TaperedCylinder {
         fn samples() -> Vec<Self> {

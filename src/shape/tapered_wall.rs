@@ -1,8 +1,9 @@
 //! The wall of a tapered cylinder: the double cone x² + y² = w² with w = 1 + (s − 1) z, and where a ray meets it.
 
-use super::GenericRay;
 use super::solver::Call;
+use super::{GenericRay, report};
 use crate::math::{Quadratic, Real};
+use crate::record::{Entry, Value, What};
 
 /// The double cone and a ray.
 #[derive(Clone, Copy)]
@@ -122,5 +123,72 @@ impl<A: Real> Wall<A> {
         // On the wall neither |x| nor |y| is more than w, and the slope of F is 2 √D.
         let w = (self.w.to_f64() + tau * self.d.to_f64()).abs();
         w * (self.start + tau.abs() * self.course) / self.quadratic.discriminant.to_f64().sqrt()
+    }
+
+    /// The wall's quadratic in the shared t, with its working.
+    #[expect(clippy::many_single_char_names, reason = "the symbols of the head of the file")]
+    pub fn working(&self, s: f64, ray: &GenericRay<A>) -> Entry {
+        let scale = ray.t_per_tau;
+        let per_t = 1.0 / scale;
+        let measured = |x: A, powers: f64| report::measured(x, powers);
+        let quadratic = &self.quadratic;
+        let (a, b, c) =
+            (measured(quadratic.a, per_t * per_t), measured(quadratic.b, per_t), measured(quadratic.c, 1.0));
+        let discriminant = measured(quadratic.discriminant, per_t * per_t);
+        let (w, d) = (measured(self.w, 1.0), measured(self.d, per_t));
+        let [p, q, r] = self.minors.map(|minor| measured(minor, per_t));
+        let polished = self.roots().into_iter().flatten().map(|tau| self.polished(ray, tau));
+        let roots: Vec<_> = polished.map(|tau| measured(tau, scale)).collect();
+        let roots: Vec<_> = roots.into_iter().filter(|root| root.value.is_finite()).collect();
+        let ([x, y, z], [c_x, c_y, c_z]) = (ray.start(), ray.course());
+        let number = Value::Number;
+        let bindings = [
+            ("s", number(s)),
+            ("S_x", number(x)),
+            ("S_y", number(y)),
+            ("S_z", number(z)),
+            ("c_x", number(c_x)),
+            ("c_y", number(c_y)),
+            ("c_z", number(c_z)),
+            ("w", number(w.value)),
+            ("d", number(d.value)),
+            ("p", number(p.value)),
+            ("q", number(q.value)),
+            ("r", number(r.value)),
+            ("A", number(a.value)),
+            ("B", number(b.value)),
+            ("C", number(c.value)),
+            ("D", number(discriminant.value)),
+        ];
+        let mut entry = Entry::new(What::Quadratic {
+            about: "the wall x² + y² = (1 + (s − 1) z)²".to_owned(),
+            a: a.value,
+            b: b.value,
+            c: c.value,
+            discriminant: discriminant.value,
+            recentred_at: 0.0,
+            roots: roots.iter().map(|root| root.value).collect(),
+        })
+        .line("w", "1 + (s − 1) S_z", &bindings, w)
+        .line("d", "(s − 1) c_z", &bindings, d)
+        .line("A", "c_x² + c_y² − d²", &bindings, a)
+        .line("B", "S_x c_x + S_y c_y − w d", &bindings, b)
+        .line("C", "S_x² + S_y² − w²", &bindings, c)
+        .line("p", "S_x d − w c_x", &bindings, p)
+        .line("q", "S_y d − w c_y", &bindings, q)
+        .line("r", "S_x c_y − S_y c_x", &bindings, r)
+        .line("D", "p² + q² − r²", &bindings, discriminant);
+        if let [first, second] = roots[..] {
+            let (low, high) = if a.value > 0.0 { ("−", "+") } else { ("+", "−") };
+            entry = entry.line("t₁", &format!("(−B {low} √D) / A"), &bindings, first).line(
+                "t₂",
+                &format!("(−B {high} √D) / A"),
+                &bindings,
+                second,
+            );
+        } else if let [only] = roots[..] {
+            entry = entry.line("t", "−C / (2 B)", &bindings, only);
+        }
+        entry
     }
 }

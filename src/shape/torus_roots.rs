@@ -38,6 +38,17 @@ impl<A: Real> Place<A> {
         Self { value, gradient, slope: dot(gradient, quartic.course), half_radius: A::from_f64(0.5) * radius }
     }
 
+    /// How far the time moves when S and c are off by one part in one, and so are the terms of F.
+    #[inline]
+    fn moved(&self, ray: &GenericRay<A>, quartic: &Quartic<A>, tau: f64) -> f64 {
+        // The point is found by way of the foot, which may be farther off than the hit.
+        let [x, y, z] = ray.sway(tau.abs() + quartic.line.foot.abs().to_f64());
+        let [g_x, g_y, g_z] = self.gradient.map(|g| g.abs().to_f64());
+        let (radius, d) = (2.0 * self.half_radius.to_f64(), quartic.d.to_f64());
+        let own = radius * ((radius - d).abs() * (radius + d) + 1.0);
+        (g_x * x + g_y * y + g_z * z + own) / self.slope.abs().to_f64()
+    }
+
     /// The step of Newton's method.
     #[inline]
     fn step(&self) -> A {
@@ -50,8 +61,7 @@ impl<A: Real> Place<A> {
 pub(super) fn crossing<A: Real>(ray: &GenericRay<A>, quartic: &Quartic<A>, slope: A, bracket: &Bracket<A>) -> Root {
     let (place, delta) = settle(quartic, bracket, start(quartic, slope, bracket));
     let tau = quartic.tau(delta).to_f64();
-    let error = ray.error_for_slope(place.gradient.map(Real::to_f64), place.slope.to_f64(), tau);
-    Root { tau, error, part: 0 }
+    Root { tau, error: ray.error_of_time(place.moved(ray, quartic, tau), tau), part: 0 }
 }
 
 /// A first approximation, by the quartic about the turning point; not a number where that does not cross zero.

@@ -108,6 +108,7 @@ impl Tracer<'_> {
             direction: way.direction,
             depth: ray.depth + 1,
             weight: ray.weight,
+            budget: 0,
             departure: Some(Departure::new(surface, ray.direction, way.direction)),
             media: ray.media.clone(),
         };

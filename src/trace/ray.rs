@@ -21,18 +21,24 @@ pub struct Ray {
     pub depth: u32,
     /// The share of its colour in the pixel.
     pub weight: f64,
+    /// How many rays it may spawn in all, those of its descendants among them.
+    pub budget: u32,
     /// The boundary that it started on.
     pub departure: Option<Departure>,
     /// The transparent objects that it is inside.
     pub media: MediaStack,
 }
 
+/// Rays that a pixel may spawn. Depth alone does not bound them: where each ray spawns two, every level doubles them.
+/// Fewer would cut off what can be seen in glass within mirrors; more would let one pixel take minutes.
+pub(super) const MOST_RAYS: u32 = 1 << 16;
+
 impl Ray {
     /// A ray from the eye.
     #[must_use]
     pub fn camera(origin: DVec3, direction: DVec3) -> Self {
         let (departure, media) = (None, MediaStack::default());
-        Self { kind: RayKind::Camera, origin, direction, depth: 0, weight: 1.0, departure, media }
+        Self { kind: RayKind::Camera, origin, direction, depth: 0, weight: 1.0, budget: MOST_RAYS, departure, media }
     }
 }
 

@@ -3,11 +3,27 @@
 use super::closest::Surface;
 use super::departure::Departure;
 use super::media::MediaCrossing;
-use super::ray::{Components, Ray, Tracer};
+use super::ray::{Components, MOST_RAYS, Ray, Tracer};
 use crate::optics::{MediaStack, Optics, reflect, refract, snell_entry};
 use crate::record::{Entry, RayKind, Recorder, What};
 use crate::scene::Rgb;
 use glam::DVec3;
+
+/// A ray that is to be sent from a surface.
+struct Offspring {
+    kind: RayKind,
+    direction: DVec3,
+    /// The share of what it brings back.
+    share: f64,
+    media: MediaStack,
+    /// How many rays it may spawn in turn; none where its parent may not even spawn it.
+    budget: Option<u32>,
+}
+
+/// What is left for each of some rays that are spawned together.
+fn budget_for_each(parent: &Ray, count: u32) -> Option<u32> {
+    parent.budget.checked_sub(count).map(|left| left / count.max(1))
+}
 
 impl Tracer<'_> {
     /// Adds what comes back along the reflected and the transmitted ray.
@@ -24,16 +40,19 @@ impl Tracer<'_> {
         let all_is_reflected = transmission.as_ref().is_some_and(|optics| optics.refracted.is_none());
         let extra = if all_is_reflected { material.transparency } else { 0.0 };
         let share = material.reflectivity + extra;
+        let refracted = transmission.and_then(|optics| optics.refracted);
+        let budget = budget_for_each(ray, u32::from(share > 0.0) + u32::from(refracted.is_some()));
         if share > 0.0 {
             let mirrored = reflect(ray.direction, surface.n_shading);
             recorder.note(|| describe_reflection(ray, surface, mirrored, share));
-            let media = ray.media.clone();
-            components.reflected = self.spawn(ray, surface, RayKind::Reflected, mirrored, share, media, recorder);
+            let (kind, media) = (RayKind::Reflected, ray.media.clone());
+            let offspring = Offspring { kind, direction: mirrored, share, media, budget };
+            components.reflected = self.spawn(ray, surface, offspring, recorder);
         }
-        if let Some(direction) = transmission.and_then(|optics| optics.refracted) {
-            let media = crossing.media_after.clone();
-            let share = material.transparency;
-            components.transmitted = self.spawn(ray, surface, RayKind::Refracted, direction, share, media, recorder);
+        if let Some(direction) = refracted {
+            let (kind, media) = (RayKind::Refracted, crossing.media_after.clone());
+            let offspring = Offspring { kind, direction, share: material.transparency, media, budget };
+            components.transmitted = self.spawn(ray, surface, offspring, recorder);
         }
     }
 
@@ -45,8 +64,9 @@ impl Tracer<'_> {
         crossing: &MediaCrossing,
         recorder: &mut R,
     ) -> Rgb {
-        let media = crossing.media_after.clone();
-        self.spawn(ray, surface, RayKind::Refracted, ray.direction, 1.0, media, recorder)
+        let (kind, media) = (RayKind::Refracted, crossing.media_after.clone());
+        let budget = budget_for_each(ray, 1);
+        self.spawn(ray, surface, Offspring { kind, direction: ray.direction, share: 1.0, media, budget }, recorder)
     }
 
     fn bend(&self, ray: &Ray, surface: &Surface, crossing: &MediaCrossing, recorder: &mut impl Recorder) -> Optics {
@@ -58,27 +78,19 @@ impl Tracer<'_> {
     }
 
     /// Sends a ray from the surface and returns its colour times `share`, or black where a limit stops it.
-    #[expect(clippy::too_many_arguments, reason = "each is a different fact about the new ray")]
-    fn spawn<R: Recorder>(
-        &self,
-        parent: &Ray,
-        surface: &Surface,
-        kind: RayKind,
-        direction: DVec3,
-        share: f64,
-        media: MediaStack,
-        recorder: &mut R,
-    ) -> Rgb {
+    fn spawn<R: Recorder>(&self, parent: &Ray, surface: &Surface, offspring: Offspring, recorder: &mut R) -> Rgb {
+        let Offspring { kind, direction, share, media, budget } = offspring;
         let ray = Ray {
             kind,
             origin: surface.point,
             direction,
             depth: parent.depth + 1,
             weight: parent.weight * share,
+            budget: budget.unwrap_or(0),
             departure: Some(Departure::new(surface, parent.direction, direction)),
             media,
         };
-        if self.stopped_by_a_limit(&ray, recorder) {
+        if self.stopped_by_a_limit(&ray, budget.is_none(), recorder) {
             return Rgb::ZERO;
         }
         recorder.begin();
@@ -87,12 +99,14 @@ impl Tracer<'_> {
         colour
     }
 
-    fn stopped_by_a_limit(&self, ray: &Ray, recorder: &mut impl Recorder) -> bool {
+    fn stopped_by_a_limit(&self, ray: &Ray, used_up: bool, recorder: &mut impl Recorder) -> bool {
         let limits = self.scene.limits;
         let (limit, at, value) = if ray.depth > limits.depth {
             ("depth", f64::from(limits.depth), f64::from(ray.depth))
         } else if ray.weight < limits.contribution {
             ("contribution", limits.contribution, ray.weight)
+        } else if used_up {
+            ("rays", f64::from(MOST_RAYS), f64::from(MOST_RAYS))
         } else {
             return false;
         };
