@@ -35,8 +35,17 @@ impl Default for SceneMenu {
             let topic = scene.name.split_once('/').map_or("", |(topic, _)| topic).to_owned();
             Entry { name: scene.name, topic, title }
         };
-        Self { entries: embedded_scenes().into_iter().map(entry).collect() }
+        let mut entries: Vec<_> = embedded_scenes().into_iter().map(entry).collect();
+        entries.sort_by_key(|entry| place(&entry.topic));
+        Self { entries }
     }
+}
+
+/// The topics in the order in which they are learnt; others follow.
+const TOPICS: [&str; 6] = ["hello", "primitives", "skewed", "csg", "optics", "hard"];
+
+fn place(topic: &str) -> usize {
+    TOPICS.iter().position(|known| *known == topic).unwrap_or(TOPICS.len())
 }
 
 impl SceneMenu {

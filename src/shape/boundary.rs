@@ -18,8 +18,8 @@ pub(super) struct Root {
 pub(super) trait Boundaries {
     /// Appends them to a primitive's crossings, where `first` is what the first of them does.
     ///
-    /// Solvers hand out roots that differ. Where two of them fall on the same number, what lies between is thinner than the
-    /// last digit of t, and there all the same. So far away that squares overflow nothing is known, and nothing is hit.
+    /// Solvers hand out roots that differ, in their true order. Where two of them fall on the same number, what lies between
+    /// is thinner than the last digit of t: a stretch inside is there all the same, a gap is none. So far away that squares overflow nothing is known, and nothing is hit.
     /// Near a tangent the bound on the error grows without limit, but two boundaries that were told apart do not change
     /// places: neither is off by more than half the distance to the other.
     fn append(self, first: Sense, t_per_tau: f64, certificate: Certificate, crossings: &mut Vec<Crossing>);
@@ -41,6 +41,7 @@ impl Boundaries for Option<[Root; 2]> {
         let Some([near, far]) = self else { return };
         let (mut enter, mut leave) =
             (crossing(near, t_per_tau, first, certificate), crossing(far, t_per_tau, opposite(first), certificate));
+        leave.t = if leave.t < enter.t { enter.t } else { leave.t };
         if enter.t <= leave.t {
             let room = 0.5 * (leave.t - enter.t);
             enter.error = smaller(enter.error, room);
@@ -103,7 +104,15 @@ pub(super) fn append_alternating(
     let (mut sense, mut before) = (first, f64::NEG_INFINITY);
     for root in roots {
         let mut crossing = crossing(*root, t_per_tau, sense, certificate);
-        if crossing.t >= before {
+        if crossing.t.is_nan() {
+            crossings.truncate(start);
+            return;
+        }
+        crossing.t = crossing.t.max(before);
+        if crossing.t == before && sense == Sense::Enter {
+            crossings.pop();
+            before = crossings[start..].last().map_or(f64::NEG_INFINITY, |last| last.t);
+        } else {
             let room = 0.5 * (crossing.t - before);
             if let Some(last) = crossings[start..].last_mut() {
                 last.error = smaller(last.error, room);
@@ -111,12 +120,6 @@ pub(super) fn append_alternating(
             crossing.error = smaller(crossing.error, room);
             before = crossing.t;
             crossings.push(crossing);
-        } else if crossing.t.is_nan() {
-            crossings.truncate(start);
-            return;
-        } else {
-            crossings.pop();
-            before = crossings[start..].last().map_or(f64::NEG_INFINITY, |last| last.t);
         }
         sense = opposite(sense);
     }

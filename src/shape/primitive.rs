@@ -20,6 +20,8 @@ pub struct GenericRay<'a, A> {
     pub origin_size: [f64; 3],
     /// The same of the scaled c.
     pub direction_size: [f64; 3],
+    /// Bounds on the lengths of these two.
+    pub lengths: [f64; 2],
     /// The ray as it was given.
     given: Given<'a>,
 }
@@ -56,6 +58,7 @@ impl<A: Real> GenericRay<'static, A> {
             t_per_tau: scale,
             origin_size: origin.abs().to_array(),
             direction_size: direction.abs().to_array(),
+            lengths: [origin, direction].map(|v| length(v.abs().to_array())),
             given,
         }
     }
@@ -68,7 +71,8 @@ impl GenericRay<'static, DoubleDouble> {
         let plain = |v: [DoubleDouble; 3]| DVec3::from_array(v.map(Real::to_f64));
         let given = Given { origin: plain(origin), direction: plain(direction), generic_from_world: None };
         let [origin_size, direction_size] = [origin, direction].map(|v| plain(v).abs().to_array());
-        Self { origin, direction, t_per_tau: 1.0, origin_size, direction_size, given }
+        let lengths = [origin_size, direction_size].map(length);
+        Self { origin, direction, t_per_tau: 1.0, origin_size, direction_size, lengths, given }
     }
 }
 
@@ -90,6 +94,7 @@ impl<'a, A: Real> GenericRay<'a, A> {
             t_per_tau: scale,
             origin_size,
             direction_size,
+            lengths: [origin_size, direction_size].map(length),
             given,
         };
         if A::UNIT_ROUNDOFF < f64::UNIT_ROUNDOFF { from_plain.exactly() } else { from_plain }
@@ -106,6 +111,7 @@ impl<'a, A: Real> GenericRay<'a, A> {
             t_per_tau: self.t_per_tau,
             origin_size: self.origin_size,
             direction_size: self.direction_size,
+            lengths: self.lengths,
             given: self.given,
         }
     }
@@ -125,6 +131,7 @@ impl<'a, A: Real> GenericRay<'a, A> {
             t_per_tau: self.t_per_tau,
             origin_size: self.origin_size,
             direction_size: self.direction_size,
+            lengths: self.lengths,
             given: self.given,
         }
     }
@@ -209,6 +216,14 @@ impl<'a, A: Real> GenericRay<'a, A> {
         // Four roundings of the arithmetic, and those of the numbers that were given.
         (4.0 * A::UNIT_ROUNDOFF + f64::UNIT_ROUNDOFF) * (moved + tau.abs())
     }
+}
+
+/// A bound on the length of a vector without negative coordinates, at most a third more than it.
+#[inline]
+fn length([x, y, z]: [f64; 3]) -> f64 {
+    const ROOT_3: f64 = 1.732_050_807_568_878;
+    let (sum, largest) = (x + y + z, x.max(y).max(z) * ROOT_3);
+    if sum < largest { sum } else { largest }
 }
 
 /// A part of a primitive's surface: an index into [`Primitive::parts`].

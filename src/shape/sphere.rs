@@ -85,7 +85,8 @@ impl Solver for Sphere {
         let square = dot(moment, moment);
         let discriminant = a - square;
         // Each of the three is off by at most four roundings of the products that it was added up from.
-        let size = sum(moment.map(|m| m.abs().to_f64())) * sum(ray.origin_size) * sum(ray.direction_size);
+        let [p, q, r] = moment.map(|m| m.abs().to_f64());
+        let size = (p + q + r) * ray.lengths[0] * ray.lengths[1];
         let doubt = 4.0 * A::UNIT_ROUNDOFF * (2.0 * size + square.to_f64() + a.to_f64());
         let decided = discriminant.abs().to_f64() > doubt;
         let hits = discriminant > A::ZERO && (decided || !A::DOUBT_IS_ZERO);
@@ -106,9 +107,9 @@ impl Solver for Sphere {
     fn roots<A: Real>(&self, ray: &GenericRay<A>, chord: &Chord<A>) -> impl Boundaries {
         chord.hits.then(|| {
             let [middle, half] = chord.middle_and_half(ray);
-            // ∇F · c / 2 is √D, and no coordinate on the sphere is above 1.
+            // ∇F · c / 2 is √D, and ∇F / 2 has the length 1.
             let per_slope = 1.0 / (half * chord.a).to_f64();
-            let (start, course) = (sum(ray.origin_size) * per_slope, sum(ray.direction_size) * per_slope);
+            let [start, course] = ray.lengths.map(|length| length * per_slope);
             [middle - half, middle + half].map(|tau| {
                 let tau = tau.to_f64();
                 Root { tau, error: ray.error_of_time(start + tau.abs() * course, tau), part: 0 }
@@ -131,11 +132,6 @@ fn moved<A: Real>(ray: &GenericRay<A>, moment: [A; 3]) -> f64 {
     let ([x, y, z], [u, v, w]) = (ray.origin_size, ray.direction_size);
     let [p, q, r] = moment.map(|m| m.abs().to_f64());
     p * (y * w + z * v) + q * (z * u + x * w) + r * (x * v + y * u)
-}
-
-#[inline]
-fn sum([x, y, z]: [f64; 3]) -> f64 {
-    x + y + z
 }
 
 impl Primitive for Sphere {

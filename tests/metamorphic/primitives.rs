@@ -148,8 +148,14 @@ fn moving_ray_and_solid_by_whole_numbers_changes_nothing() {
             let by = whole(random.vector(-1000.0, 1000.0));
             let here = spans(&compile(&shape), (origin, direction));
             let there = compile(&placed(&shape, &[json!({"translate": by.to_array()})]));
-            let there: Vec<_> = spans(&there, (origin + by, direction)).iter().map(|s| s.map(|end| end.0)).collect();
-            let here: Vec<_> = here.iter().map(|span| span.map(|end| end.0)).collect();
+            let there = spans(&there, (origin + by, direction));
+            if shape["shape"] == "superellipsoid" {
+                // A search takes its last step or not by how well it knows the ray.
+                same(&there, &here).unwrap_or_else(|problem| panic!("{shape} {origin:?} {direction:?}: {problem}"));
+                continue;
+            }
+            let [there, here] =
+                [there, here].map(|spans| spans.iter().map(|span| span.map(|end| end.0)).collect::<Vec<_>>());
             assert_eq!(there, here, "{shape} {origin:?} {direction:?} {by:?}");
         }
     }
