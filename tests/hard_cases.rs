@@ -242,7 +242,7 @@ fn rays_that_graze_a_torus_hit_it_or_miss_it_as_they_should() {
             let moved = |p: [f64; 3]| std::array::from_fn(|i| p[i] + away * out[i]);
             let view = View { size: [64, 48], ..View::new(moved(eye), moved(look_at), field(1.6e-10, 6.0)) };
             let name = format!("torus grazed at its {name}, {shown}");
-            assert_exact(&case(&name, view, &[torus.clone()], TorusAlone { d: 2.0 }), HANDFUL);
+            assert_exact(&case(&name, view, std::slice::from_ref(&torus), TorusAlone { d: 2.0 }), HANDFUL);
         }
     }
 }
@@ -272,7 +272,7 @@ fn rays_that_graze_a_superellipsoid_hit_it_or_miss_it_as_they_should() {
         for (eye, look_at) in [([-6.0, 0.0, 1.0], [0.0, 0.0, 1.0]), ([1.0, -6.0, 0.0], [1.0, 0.0, 0.0])] {
             let view = View { size: [64, 48], ..View::new(eye, look_at, field(2e-10, 6.0)) };
             let name = format!("superellipsoid {n}, {m} grazed from {eye:?}");
-            assert_exact(&case(&name, view, &[shape.clone()], SuperellipsoidAlone { n, m }), HANDFUL);
+            assert_exact(&case(&name, view, std::slice::from_ref(&shape), SuperellipsoidAlone { n, m }), HANDFUL);
         }
     }
 }
@@ -284,12 +284,12 @@ fn the_apex_of_a_cone_is_right_in_a_field_of_a_millionth() {
         [json!([slim]), json!([slim, {"rotate": {"axis": [0, 1, 0], "degrees": 30}}, {"translate": [-0.5, 0, 0.125]}])];
     for pose in poses {
         let cone = solid("cone", 0, &pose);
-        let apex = scene(ABOVE, &[cone.clone()]).objects[0].solid.leaves[0].placement.world_from_generic;
+        let apex = scene(ABOVE, std::slice::from_ref(&cone)).objects[0].solid.leaves[0].placement.world_from_generic;
         let apex = apex.transform_point3(glam::DVec3::Z).to_array();
         for eye in [[apex[0] + 0.5, -6.0, apex[2]], [apex[0], -4.0, apex[2] + 3.5]] {
             let view = View { size: [160, 120], ..View::new(eye, apex, field(1e-6, 6.0)) };
             let truth = Sets::one(part(0, tapered_cylinder(0.0)));
-            assert_exact(&case(&format!("apex from {eye:?}"), view, &[cone.clone()], truth), HANDFUL);
+            assert_exact(&case(&format!("apex from {eye:?}"), view, std::slice::from_ref(&cone), truth), HANDFUL);
         }
     }
 }

@@ -12,6 +12,7 @@ const LN_2_LOW: f64 = 1.908_214_929_270_587_7e-10;
 
 /// ln x for normal positive numbers.
 #[inline]
+#[must_use]
 pub fn ln(x: f64) -> f64 {
     // x = 2ᵏ (1 + f) with 1 + f from √½ to √2: the constant is the difference of the bits of 1 and of √½.
     const ONE: u64 = 0x3ff0_0000_0000_0000;
@@ -33,6 +34,7 @@ pub fn ln(x: f64) -> f64 {
 
 /// eˣ for x up to 700; 0 below −700.
 #[inline]
+#[must_use]
 pub fn exp(x: f64) -> f64 {
     // Adding 1.5 · 2⁵² rounds to a whole number, whose bits then stand at the end.
     const ROUNDER: f64 = 6_755_399_441_055_744.0;

@@ -29,7 +29,7 @@ impl WideMap {
             let ([r, s], [p, q]) = (others(i), others(j));
             DoubleDouble::difference_of_products(m[r][p], m[s][q], m[r][q], m[s][p])
         };
-        let cofactor = |i: usize, j: usize| if (i + j) % 2 == 0 { minor(i, j) } else { -minor(i, j) };
+        let cofactor = |i: usize, j: usize| if (i + j).is_multiple_of(2) { minor(i, j) } else { -minor(i, j) };
         let determinant = dot(m[0], std::array::from_fn(|j| cofactor(0, j)));
         let scale = DoubleDouble::from_f64(scale);
         let inverse: [[DoubleDouble; 3]; 3] =

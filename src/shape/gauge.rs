@@ -24,7 +24,7 @@ impl Power {
     pub fn new(over: f64, under: f64) -> Self {
         let rounded = over / under;
         let halves = 2.0 * rounded;
-        if halves <= Self::MOST_HALVES && halves >= 1.0 && halves.fract() == 0.0 && halves * under == 2.0 * over {
+        if (1.0..=Self::MOST_HALVES).contains(&halves) && halves.fract() == 0.0 && halves * under == 2.0 * over {
             #[expect(
                 clippy::cast_possible_truncation,
                 clippy::cast_sign_loss,

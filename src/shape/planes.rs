@@ -129,7 +129,7 @@ impl<A: Real> Table<'_, A> {
         } else {
             let input_doubt = doubt / (4.0 * A::UNIT_ROUNDOFF) * f64::UNIT_ROUNDOFF;
             self.runs_beside(numerator.to_f64(), doubt, input_doubt);
-            self.decided &= slope_doubt == 0.0 && numerator.abs().to_f64() > doubt || outside && slope_doubt == 0.0;
+            self.decided &= slope_doubt == 0.0 && numerator.abs().to_f64() > doubt;
         }
         let (t_in, t_out) = (self.clip.enter.map(|x| x.time), self.clip.leave.map(|x| x.time));
         observe(Step { plane: index, numerator, denominator, time, sense, t_in, t_out });

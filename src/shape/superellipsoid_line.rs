@@ -281,7 +281,7 @@ fn within(range: &mut [f64; 2], [value, slope]: [f64; 2], slack: f64) {
     if per_slope.is_finite() {
         let (middle, half) = (-value * per_slope, slack * per_slope.abs());
         *range = [range[0].max(middle - half), range[1].min(middle + half)];
-    } else if !(value.abs() <= slack) {
+    } else if value.abs() > slack || value.is_nan() {
         *range = [0.0, 0.0];
     }
 }

@@ -112,7 +112,7 @@ impl<A: Real> Search<'_, A> {
         }
         self.findings.stretches += 1;
         let length = (right.at - left.at).to_f64();
-        if !(length > 0.0) {
+        if length <= 0.0 || length.is_nan() {
             return;
         }
         let lines = self.lines(left, right, length);
@@ -177,7 +177,7 @@ impl<A: Real> Search<'_, A> {
             (None, Some(b)) => right.at - A::from_f64(b),
             (None, None) => left.at + A::from_f64(0.5 * length),
         };
-        self.root(Bracket { low: left.at, high: right.at, rising: left.inside, start, cusp });
+        self.root(&Bracket { low: left.at, high: right.at, rising: left.inside, start, cusp });
     }
 }
 

@@ -60,8 +60,8 @@ const NEAR: f64 = 0.1;
 const MOST_STEPS: usize = 240;
 
 /// The root.
-pub(super) fn root_in<A: Real>(line: &Line<A>, bracket: Bracket<A>) -> Root {
-    let Bracket { mut low, mut high, rising, start, cusp } = bracket;
+pub(super) fn root_in<A: Real>(line: &Line<A>, bracket: &Bracket<A>) -> Root {
+    let Bracket { mut low, mut high, rising, start, cusp } = *bracket;
     if let Some(touching) = cusp.filter(|cusp| cusp.touches) {
         return line.root_in_plane(touching.at);
     }
@@ -103,7 +103,7 @@ pub(super) fn root_in<A: Real>(line: &Line<A>, bracket: Bracket<A>) -> Root {
         }
         let halve = !fits || round > 10 && round % 2 == 0;
         at = if halve { middle(low, high) } else { next };
-        if at == low && halve || at == high && halve {
+        if halve && (at == low || at == high) {
             exact = true;
         }
         last = if halve { (high - low).to_f64() } else { size };

@@ -94,7 +94,7 @@ impl<A: Real> Search<'_, A> {
         self.findings.stretches += 2;
         for (low, high, rising) in [(low, inside.at, false), (inside.at, high, true)] {
             let start = inside.at + A::from_f64(inside.step(rising));
-            self.root(Bracket { low, high, rising, start, cusp: None });
+            self.root(&Bracket { low, high, rising, start, cusp: None });
         }
     }
 
@@ -138,7 +138,7 @@ impl<A: Real> Search<'_, A> {
         for (cusp, low, high, rising) in [(before, low, outside, true), (after, outside, high, false)] {
             if cusp.is_some() {
                 let start = low + (high - low) * A::from_f64(0.5);
-                self.root(Bracket { low, high, rising, start, cusp });
+                self.root(&Bracket { low, high, rising, start, cusp });
             }
         }
     }
@@ -191,7 +191,7 @@ impl<A: Real> Search<'_, A> {
     }
 
     /// Adds the root in a bracket.
-    pub fn root(&mut self, bracket: Bracket<A>) {
+    pub fn root(&mut self, bracket: &Bracket<A>) {
         if self.decided || A::FINEST {
             self.findings.roots.push(root_in(&self.line, bracket));
         }

@@ -155,7 +155,7 @@ fn light_is_totally_reflected_exactly_past_the_critical_angle() {
         // Once wide, and once a millionth of a degree at the rim of the window itself.
         let tilt = if field > 1.0 { 0.05 } else { (1.0 / n).asin().tan() };
         let view = View::new([0.0, 0.0, -0.5], [0.0, tilt, 0.5], field);
-        let mut scene = lit(view, 0.5, &water, &[pool.clone()], &json!([]));
+        let mut scene = lit(view, 0.5, &water, std::slice::from_ref(&pool), &json!([]));
         // What is reflected meets the pool's ground next, and goes no further: it is black.
         scene.limits.depth = 1;
         let picture = picture(&scene);

@@ -38,7 +38,7 @@ impl<N: Number> Line<N> {
         let inverse = |v: &[N; 3]| rows.each_ref().map(|row| dot(row, v) / determinant.clone());
         let (s, c) = (inverse(&relative), inverse(&vector(ray.direction)));
         let largest = c.iter().map(|x| x.nearest().abs()).fold(0.0, f64::max);
-        let per_delta = 2.0_f64.powi(-i32::try_from(largest.log2().floor() as i64).expect("a moderate scale"));
+        let per_delta = 1.0 / largest.log2().floor().exp2();
         let c = c.map(|x| x * N::of(per_delta));
         let foot = -dot(&s, &c) / dot(&c, &c);
         let l = std::array::from_fn(|i| s[i].clone() + c[i].clone() * foot.clone());

@@ -113,13 +113,13 @@ impl Sets {
 
     /// What is seen if that is the same in all combinations.
     fn agreed<N: Number>(&self, lines: &[Line<N>], scale: impl Fn(f64) -> f64) -> Option<Verdict> {
-        let seen: Vec<Seen> = self.moved(lines, scale).iter().map(material).collect();
+        let seen: Vec<Seen> = self.moved(lines, scale).iter().map(|end| material(end.as_ref())).collect();
         seen.iter().all(|other| *other == seen[0]).then(|| Verdict { seen: seen[0], sure: true })
     }
 }
 
-fn material<N>(end: &End<N>) -> Seen {
-    end.as_ref().map(|(_, material)| *material)
+fn material<N>(end: Option<&(N, usize)>) -> Seen {
+    end.map(|(_, material)| *material)
 }
 
 /// Beyond this a plain `f64` look cannot be wrong: its own errors are smaller by seven decimal digits.
@@ -131,7 +131,7 @@ impl Truth for Sets {
             return quick;
         }
         let lines = self.lines::<Big>(scene, ray);
-        let unsure = || Verdict { seen: material(&self.exact(&lines)), sure: false };
+        let unsure = || Verdict { seen: material(self.exact(&lines).as_ref()), sure: false };
         self.agreed(&lines, |doubt| doubt).unwrap_or_else(unsure)
     }
 
@@ -238,8 +238,8 @@ fn common<N: Number>(a: &Spans<N>, b: &Spans<N>) -> Spans<N> {
     let mut result = Vec::new();
     for [a_in, a_out] in a {
         for [b_in, b_out] in b {
-            let enter = pick(a_in, b_in, |a, b| a >= b);
-            let leave = pick(a_out, b_out, |a, b| a <= b);
+            let enter = pick(a_in.as_ref(), b_in.as_ref(), |a, b| a >= b);
+            let leave = pick(a_out.as_ref(), b_out.as_ref(), |a, b| a <= b);
             let empty = matches!((&enter, &leave), (Some((t_in, _)), Some((t_out, _))) if t_in >= t_out);
             if !empty {
                 result.push([enter, leave]);
@@ -249,11 +249,11 @@ fn common<N: Number>(a: &Spans<N>, b: &Spans<N>) -> Spans<N> {
     result
 }
 
-fn pick<N: Number>(a: &End<N>, b: &End<N>, first: impl Fn(&N, &N) -> bool) -> End<N> {
+fn pick<N: Number>(a: Option<&(N, usize)>, b: Option<&(N, usize)>, first: impl Fn(&N, &N) -> bool) -> End<N> {
     match (a, b) {
-        (Some((x, _)), Some((y, _))) if first(x, y) => a.clone(),
-        (Some(_), None) => a.clone(),
-        _ => b.clone(),
+        (Some((x, _)), Some((y, _))) if first(x, y) => a.cloned(),
+        (Some(_), None) => a.cloned(),
+        _ => b.cloned(),
     }
 }
 

@@ -98,7 +98,7 @@ impl SuperellipsoidAlone {
     fn hollow<N: Number>(&self, line: &Line<N>, doubt: f64) -> Option<bool> {
         let one = N::of(1.0);
         let mut missed = true;
-        for (_, point, room) in self.crossings(line, doubt) {
+        for (_, point, room) in Self::crossings(line, doubt) {
             let (inner, outer) = (moved(&point, &room, -1.0), moved(&point, &room, 1.0));
             if self.value(outer) < one {
                 return Some(true);
@@ -109,7 +109,7 @@ impl SuperellipsoidAlone {
     }
 
     /// Where the ray crosses the coordinate planes: δ, the point, and how far a move of the ray by `doubt` moves it.
-    fn crossings<N: Number>(&self, line: &Line<N>, doubt: f64) -> Vec<(N, [N; 3], [N; 3])> {
+    fn crossings<N: Number>(line: &Line<N>, doubt: f64) -> Vec<(N, [N; 3], [N; 3])> {
         let across = (0..3).filter(|i| line.c[*i] != N::of(0.0));
         across
             .map(|i| {
@@ -139,8 +139,7 @@ impl SuperellipsoidAlone {
             return false;
         }
         if self.n < 1.0 {
-            let inside: Vec<Big> = self
-                .crossings(line, 0.0)
+            let inside: Vec<Big> = Self::crossings(line, 0.0)
                 .into_iter()
                 .filter(|(_, point, _)| self.value(point.each_ref().map(Number::size)) < one)
                 .map(|(delta, ..)| delta)
