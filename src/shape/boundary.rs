@@ -64,6 +64,11 @@ impl<const N: usize> Roots<N> {
         Self { items: [Root::default(); N], count: 0 }
     }
 
+    /// Turns their order round.
+    pub fn reverse(&mut self) {
+        self.items[..self.count].reverse();
+    }
+
     /// Adds one; more than there is room for are not kept.
     pub fn push(&mut self, root: Root) {
         if let Some(slot) = self.items.get_mut(self.count) {

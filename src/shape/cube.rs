@@ -64,6 +64,8 @@ pub(super) struct Passage<A> {
     enter: Slab<A>,
     leave: Slab<A>,
     hits: bool,
+    /// Bound on the error of the time between the two.
+    doubt: f64,
     beside: Beside,
 }
 
@@ -72,9 +74,6 @@ pub(super) struct Passage<A> {
 struct Slab<A> {
     axis: usize,
     time: A,
-    /// Bounds of the true latest or earliest time, whichever face's it is.
-    low: A,
-    high: A,
 }
 
 /// 1 − |S| across the axis along which the ray does not move, where that is smallest.
@@ -92,6 +91,18 @@ impl Beside {
     fn is_beyond_doubt(&self) -> bool {
         self.room.abs() > self.doubt
     }
+
+    fn or_closer(self, axis: usize, room: f64, doubt: f64) -> Self {
+        if room < self.room { Self { axis, room, doubt } } else { self }
+    }
+}
+
+/// Whether the ray leaves one pair of faces before it enters another, by more than the errors of both times.
+#[inline]
+fn surely_misses<A: Real>(times: &[[A; 3]; 3]) -> bool {
+    let enter = times.iter().map(|&[near, _, error]| near - error);
+    let leave = times.iter().map(|&[_, far, error]| far + error);
+    enter.fold(A::from_f64(f64::NEG_INFINITY), A::max) > leave.fold(A::from_f64(f64::INFINITY), A::min)
 }
 
 impl Cube {
@@ -117,16 +128,17 @@ impl Solver for Cube {
     #[inline]
     fn solve<A: Real>(&self, ray: &GenericRay<A>) -> Attempt<Passage<A>> {
         let infinity = A::from_f64(f64::INFINITY);
-        let mut enter = Slab { axis: 0, time: -infinity, low: -infinity, high: -infinity };
-        let mut leave = Slab { axis: 0, time: infinity, low: infinity, high: infinity };
+        let nowhere = [-infinity, infinity, A::ZERO];
+        let mut times = [nowhere; 3];
+        let (mut enter, mut leave) = (Slab { axis: 0, time: -infinity }, Slab { axis: 0, time: infinity });
+        // The latest time at which it may enter last, and the earliest at which it may leave first.
+        let (mut in_high, mut out_low) = (-infinity, infinity);
         let (mut beside, mut cancels) = (Beside::NONE, false);
         for axis in 0..3 {
             let (s, c) = (ray.origin[axis], ray.direction[axis]);
             if c.abs().to_f64() <= 4.0 * A::UNIT_ROUNDOFF * ray.direction_size[axis] {
-                let room = (A::ONE - s.abs()).to_f64();
-                if room < beside.room {
-                    beside = Beside { axis, room, doubt: 4.0 * A::UNIT_ROUNDOFF * ray.origin_size[axis] };
-                }
+                beside =
+                    beside.or_closer(axis, (A::ONE - s.abs()).to_f64(), 4.0 * A::UNIT_ROUNDOFF * ray.origin_size[axis]);
                 // What is zero only by cancellation is not known to be zero.
                 cancels |= ray.direction_size[axis] > 0.0;
                 continue;
@@ -137,20 +149,22 @@ impl Solver for Cube {
             let moved = ray.origin_size[axis] + farthest * ray.direction_size[axis];
             let error = A::from_f64(4.0 * A::UNIT_ROUNDOFF * moved) * half;
             let (near, far) = (middle - half, middle + half);
+            times[axis] = [near, far, error];
             if near > enter.time {
-                (enter.axis, enter.time) = (axis, near);
+                enter = Slab { axis, time: near };
             }
             if far < leave.time {
-                (leave.axis, leave.time) = (axis, far);
+                leave = Slab { axis, time: far };
             }
-            enter = Slab { low: enter.low.max(near - error), high: enter.high.max(near + error), ..enter };
-            leave = Slab { low: leave.low.min(far - error), high: leave.high.min(far + error), ..leave };
+            in_high = in_high.max(near + error);
+            out_low = out_low.min(far - error);
         }
-        let surely = enter.high < leave.low;
+        let surely = in_high < out_low;
         let between = if A::DOUBT_IS_ZERO { surely } else { enter.time < leave.time };
-        let decided = (surely || enter.low > leave.high) && beside.is_beyond_doubt() && !cancels;
+        let decided = (surely || surely_misses(&times)) && beside.is_beyond_doubt() && !cancels;
         let hits = between && (beside.room >= 0.0 || A::DOUBT_IS_ZERO && !beside.is_beyond_doubt());
-        Attempt { found: Passage { enter, leave, hits, beside }, decided }
+        let doubt = (in_high - enter.time + (leave.time - out_low)).to_f64();
+        Attempt { found: Passage { enter, leave, hits, doubt, beside }, decided }
     }
 
     fn closest_call<A: Real>(&self, ray: &GenericRay<A>, passage: &Passage<A>) -> Call {
@@ -162,7 +176,7 @@ impl Solver for Cube {
         let order = Call {
             question: "Does the ray enter the last face before it leaves the first?",
             value: (leave.time - enter.time).to_f64(),
-            doubt: 0.5 * ((leave.high - leave.low) + (enter.high - enter.low)).to_f64(),
+            doubt: passage.doubt,
             input_doubt: moved(enter) + moved(leave),
             near: 0.5 * (enter.time + leave.time).to_f64(),
         };

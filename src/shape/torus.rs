@@ -153,10 +153,11 @@ impl Solver for Torus {
 fn boundaries<A: Real>(ray: &GenericRay<A>, found: &Found<A>) -> Roots<4> {
     let mut roots = Roots::<4>::new();
     if let Found::Near(quartic, turns) = found {
-        let (brackets, count) = turns.brackets(quartic.end);
-        for i in 0..count {
-            let bracket = &brackets[if quartic.turned { count - 1 - i } else { i }];
-            roots.push(torus_roots::crossing(ray, quartic, turns.slope, bracket));
+        turns.each_bracket(quartic.end, |bracket| {
+            roots.push(torus_roots::crossing(ray, quartic, turns.slope, &bracket));
+        });
+        if quartic.turned {
+            roots.reverse();
         }
     }
     roots

@@ -273,26 +273,23 @@ impl<A: Real> Turns<A> {
         self.sure || A::DOUBT_IS_ZERO && self.as_slice().iter().all(|turn| turn.level != A::ZERO)
     }
 
-    /// The brackets of the crossings, δ ascending, and how many they are; at −`end` and `end` the ray is outside.
+    /// Hands out the brackets of the crossings, δ ascending; at −`end` and `end` the ray is outside.
     #[inline]
-    pub fn brackets(&self, end: A) -> ([Bracket<A>; 4], usize) {
+    pub fn each_bracket(&self, end: A, mut crossing: impl FnMut(Bracket<A>)) {
         let outside = |at| Turn { at, value: A::ONE, level: A::ONE };
         let mut last = outside(-end);
-        let mut brackets = [Bracket { low: -end, high: end, inside: last, outward: A::ONE }; 4];
-        let mut count = 0;
         for turn in self.as_slice().iter().copied().chain([outside(end)]) {
             if turn.level == A::ZERO {
                 continue;
             }
-            let (was_inside, is_inside) = (last.level < A::ZERO, turn.level < A::ZERO);
-            if let Some(slot) = brackets.get_mut(count).filter(|_| was_inside != is_inside) {
-                let (inside, outward) = if is_inside { (turn, -A::ONE) } else { (last, A::ONE) };
-                *slot = Bracket { low: last.at, high: turn.at, inside, outward };
-                count += 1;
+            let (low, high) = (last.at, turn.at);
+            match (last.level < A::ZERO, turn.level < A::ZERO) {
+                (false, true) => crossing(Bracket { low, high, inside: turn, outward: -A::ONE }),
+                (true, false) => crossing(Bracket { low, high, inside: last, outward: A::ONE }),
+                _ => {}
             }
             last = turn;
         }
-        (brackets, count)
     }
 }
 

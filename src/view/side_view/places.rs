@@ -56,6 +56,7 @@ impl SideView<'_> {
                 _ => None,
             })
             .collect();
+        let mut labelled: Vec<Spot> = Vec::new();
         for (event, t) in places {
             let at = self.spot_at(&flight, t);
             if !self.drawing.frame().contains(at) {
@@ -67,7 +68,10 @@ impl SideView<'_> {
             let stroke = Some(Stroke::dashed(self.palette.bad, 1.8, [3.5, 2.5]));
             self.drawing.put(Form::Circle { centre: at, radius: 8.0, fill: None, stroke }, event);
             self.placer.avoid_spot(at, 8.0);
-            self.label_later(at, 9.0, Label::new("hit or miss? undecidable", SMALL, self.palette.bad).of(event));
+            if labelled.iter().all(|other| is_clear(*other, at)) {
+                labelled.push(at);
+                self.label_later(at, 9.0, Label::new("hit or miss? undecidable", SMALL, self.palette.bad).of(event));
+            }
         }
     }
 
