@@ -268,8 +268,8 @@ fn judged(
     let goes_in = normal.dot(spawned.direction) <= 0.0;
     let keeps_account = surface.sense == Sense::Touch
         || counted.first().map_or(!goes_in || exact.is_empty(), |(_, sense)| (*sense == Sense::Leave) == goes_in);
-    // Where rounding took the line off the surface that it goes into, its way inside is shorter than rounding.
-    let unclear = unclear || goes_in && surface.sense != Sense::Touch && !exact.iter().any(|end| within(&end));
+    // Where rounding took the line off the surface that it left, its way to the next is shorter than rounding.
+    let unclear = unclear || surface.sense != Sense::Touch && !exact.iter().any(|end| within(&end));
     if unclear && keeps_account {
         return Outcome::NotJudged;
     }
