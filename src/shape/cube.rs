@@ -134,7 +134,7 @@ impl Solver for Cube {
         // The latest time at which it may enter last, and the earliest at which it may leave first.
         let (mut in_high, mut out_low) = (-infinity, infinity);
         let (mut beside, mut cancels) = (Beside::NONE, false);
-        for axis in 0..3 {
+        for (axis, slot) in times.iter_mut().enumerate() {
             let (s, c) = (ray.origin[axis], ray.direction[axis]);
             if c.abs().to_f64() <= 4.0 * A::UNIT_ROUNDOFF * ray.direction_size[axis] {
                 beside =
@@ -149,7 +149,7 @@ impl Solver for Cube {
             let moved = ray.origin_size[axis] + farthest * ray.direction_size[axis];
             let error = A::from_f64(4.0 * A::UNIT_ROUNDOFF * moved) * half;
             let (near, far) = (middle - half, middle + half);
-            times[axis] = [near, far, error];
+            *slot = [near, far, error];
             if near > enter.time {
                 enter = Slab { axis, time: near };
             }
