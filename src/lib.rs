@@ -2,7 +2,7 @@
 //!
 //! Data flows one way: scene file → [`scene`] → [`trace`] → event tree → [`view`] → command line or workbench. The
 //! layers, from the bottom: [`record`], [`math`], then [`shape`], [`csg`] and [`optics`], then [`scene`], [`trace`],
-//! [`view`], [`accuracy`], and on top [`cli`] and `app`.
+//! [`view`], [`accuracy`] and [`peer`], and on top [`cli`] and `app`.
 
 #![warn(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::print_stdout, clippy::print_stderr)]
 
@@ -13,6 +13,7 @@ pub mod cli;
 pub mod csg;
 pub mod math;
 pub mod optics;
+pub mod peer;
 pub mod record;
 pub mod scene;
 pub mod shape;

@@ -15,7 +15,8 @@ const LAYERS: &[(&str, &[&str])] = &[
     ("trace", &["record", "math", "shape", "csg", "optics", "scene"]),
     ("view", &["record", "math", "shape", "csg", "optics", "scene", "trace"]),
     ("accuracy", &["record", "math", "shape", "csg", "optics", "scene", "trace", "view"]),
-    ("cli", &["record", "math", "shape", "csg", "optics", "scene", "trace", "view", "accuracy", "app"]),
+    ("peer", &["record", "shape", "csg", "scene"]),
+    ("cli", &["record", "math", "shape", "csg", "optics", "scene", "trace", "view", "accuracy", "peer", "app"]),
     ("app", &["record", "math", "shape", "csg", "optics", "scene", "trace", "view"]),
 ];
 
@@ -23,7 +24,7 @@ const LAYERS: &[(&str, &[&str])] = &[
 const CRATES: &[(&[&str], &[&str])] = &[
     (
         &["serde", "serde_json", "schemars"],
-        &["src/record/", "src/scene/", "src/trace/export.rs", "src/accuracy/oracle.rs", "src/cli/"],
+        &["src/record/", "src/scene/", "src/trace/export.rs", "src/accuracy/oracle.rs", "src/peer/", "src/cli/"],
     ),
     (&["jsonc_parser", "include_dir"], &["src/scene/"]),
     (&["egui", "eframe", "winit", "rfd"], &["src/app/"]),
