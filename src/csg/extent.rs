@@ -94,6 +94,15 @@ impl Extent {
         self.low.cmple(point).all() && point.cmple(self.high).all()
     }
 
+    /// Its eight corners.
+    #[must_use]
+    pub fn corners(&self) -> [DVec3; 8] {
+        std::array::from_fn(|k| {
+            let pick = |axis: usize| if k >> axis & 1 == 0 { self.low[axis] } else { self.high[axis] };
+            DVec3::new(pick(0), pick(1), pick(2))
+        })
+    }
+
     /// Half its surface: in proportion to the share of random rays that meet it (Cauchy). Nothing for an empty box.
     #[must_use]
     pub fn half_surface(&self) -> f64 {

@@ -12,7 +12,7 @@
 
 use super::{Course, Extent};
 use glam::DVec3;
-use smallvec::SmallVec;
+use arrayvec::ArrayVec;
 
 /// Children of a node.
 const WIDTH: usize = 4;
@@ -84,10 +84,10 @@ impl Node {
         Extent { low: corner(0), high: corner(1) }
     }
 
-    /// The times of all four boxes; an empty one is left before it is entered.
+    /// The times of all four boxes, none before 0; an empty box is left before it is entered.
     #[inline]
     fn times(&self, course: &Course) -> [[f64; WIDTH]; 2] {
-        let (mut t_in, mut t_out) = ([f64::NEG_INFINITY; WIDTH], [f64::INFINITY; WIDTH]);
+        let (mut t_in, mut t_out) = ([0.0; WIDTH], [f64::INFINITY; WIDTH]);
         for axis in 0..3 {
             let backwards = usize::from(course.backwards[axis]);
             let (near, far) = (&self.sides[axis][backwards], &self.sides[axis][1 - backwards]);
@@ -105,10 +105,34 @@ impl Node {
         }
         [t_in, t_out]
     }
+
+    /// The nearest child that the ray meets before the limit; the others are put on the pile, the nearest on top.
+    #[inline]
+    fn open(&self, course: &Course, limit: f64, waiting: &mut Pile) -> Option<Child> {
+        let [t_in, t_out] = self.times(course);
+        // All four answers at once: a branch for each would be guessed wrong too often.
+        let met = (0..WIDTH).fold(0_u32, |met, k| met | u32::from(t_in[k] <= t_out[k] && t_in[k] <= limit) << k);
+        let (mut met, base) = (met, waiting.len());
+        while met != 0 {
+            let place = met.trailing_zeros() as usize;
+            met &= met - 1;
+            waiting.push((t_in[place], self.children[place]));
+            let mut k = waiting.len() - 1;
+            while k > base && waiting[k - 1].0 < waiting[k].0 {
+                waiting.swap(k - 1, k);
+                k -= 1;
+            }
+        }
+        if waiting.len() > base { waiting.pop().map(|(_, child)| child) } else { None }
+    }
 }
 
 /// A child that waits for its turn, and when the ray comes to it.
 type Waiting = (f64, Child);
+
+/// Room for the children of as many levels as there can be: those with a chosen cut, and those that halve 2³¹ items twice
+/// each.
+type Pile = ArrayVec<Waiting, { (DEEPEST_CHOICE as usize + 17) * WIDTH }>;
 
 impl Hierarchy {
     /// The tree over these boxes.
@@ -127,20 +151,20 @@ impl Hierarchy {
     /// begin behind the limit. `visit` gets an item and the limit, and returns the limit from then on.
     #[inline]
     pub fn walk(&self, course: &Course, mut limit: f64, mut visit: impl FnMut(usize, f64) -> f64) {
-        let mut waiting: SmallVec<[Waiting; 48]> = SmallVec::new();
-        let mut node = self.nodes.first();
-        while let Some(open) = node {
-            add_by_nearness(open, course, limit, &mut waiting);
-            node = loop {
-                let Some((near, child)) = waiting.pop() else { return };
-                if near > limit {
-                    continue;
+        let mut waiting = Pile::new();
+        let mut next = Some(Child::node(0)).filter(|_| !self.nodes.is_empty());
+        while let Some(child) = next {
+            next = match child.behind() {
+                Behind::Item(item) => {
+                    limit = visit(item, limit);
+                    None
                 }
-                match child.behind() {
-                    Behind::Item(item) => limit = visit(item, limit),
-                    Behind::Node(index) => break self.nodes.get(index),
-                }
+                Behind::Node(index) => self.nodes[index].open(course, limit, &mut waiting),
             };
+            while next.is_none() {
+                let Some((near, child)) = waiting.pop() else { return };
+                next = (near <= limit).then_some(child);
+            }
         }
     }
 
@@ -188,23 +212,6 @@ impl Hierarchy {
     }
 }
 
-/// Puts the children that the ray meets on the pile, the nearest on top.
-#[inline]
-fn add_by_nearness(node: &Node, course: &Course, limit: f64, waiting: &mut SmallVec<[Waiting; 48]>) {
-    let [t_in, t_out] = node.times(course);
-    let base = waiting.len();
-    for place in 0..WIDTH {
-        if t_in[place] <= t_out[place] && t_out[place] >= 0.0 && t_in[place] <= limit {
-            waiting.push((t_in[place], node.children[place]));
-            let mut k = waiting.len() - 1;
-            while k > base && waiting[k - 1].0 < waiting[k].0 {
-                waiting.swap(k - 1, k);
-                k -= 1;
-            }
-        }
-    }
-}
-
 /// Makes the nodes.
 struct Builder<'a> {
     extents: &'a [Extent],
@@ -218,7 +225,7 @@ const BINS: usize = 16;
 
 /// Depth from which cuts go through the middle of the list. A deeper tree could come only from boxes that the heuristic
 /// peels off one by one, and would make the walk, and this recursion, as long as their list.
-const DEEPEST_CHOICE: u32 = 32;
+const DEEPEST_CHOICE: u32 = 24;
 
 impl Builder<'_> {
     /// Makes a node over some items, and all below it; returns its place.

@@ -68,6 +68,7 @@ impl Placement {
 
     /// The world ray (`origin`, `direction`) in generic coordinates; t is shared because c is not normalised.
     #[must_use]
+    #[inline]
     pub fn generic_ray<A: Real>(&self, origin: DVec3, direction: DVec3) -> GenericRay<'_, A> {
         let inverse = &self.generic_from_world;
         GenericRay::mapped(
@@ -105,6 +106,13 @@ fn affine([x, y, z]: [[f64; 4]; 3]) -> DAffine3 {
 }
 
 /// Normalises without overflow or underflow.
+#[inline]
 fn unit(v: DVec3) -> DVec3 {
-    (v * crate::math::scale_to_unit(v.to_array())).normalize()
+    let square = v.length_squared();
+    // Where the square is neither too large nor too small for its digits, scaling by a power of two changes none of them.
+    if (1e-200..1e200).contains(&square) {
+        v / square.sqrt()
+    } else {
+        (v * crate::math::scale_to_unit(v.to_array())).normalize()
+    }
 }

@@ -5,7 +5,7 @@ use super::report;
 use super::{Boundary, Course, Extent, Interval, IntervalList, Placement};
 use crate::math::{DoubleDouble, Real};
 use crate::record::{Counter, NullRecorder, Operator, Recorder, Sense};
-use crate::shape::{Crossing, Primitive, Shape};
+use crate::shape::{Bounds, Crossing, Primitive, Shape};
 use glam::DVec3;
 use std::cell::Cell;
 
@@ -133,6 +133,19 @@ impl Solid {
     fn root_extent(&self) -> &Extent {
         match self.root() {
             Node::Leaf { extent, .. } | Node::Pair { extent, .. } => extent,
+        }
+    }
+
+    /// The corners of a convex hull of the solid, up to rounding: a primitive's own box as it stands, else the extent's.
+    #[must_use]
+    pub fn hull(&self) -> [DVec3; 8] {
+        match self.root() {
+            Node::Leaf { leaf, extent } if extent.is_finite() => {
+                let Leaf { shape, placement, .. } = &self.leaves[*leaf];
+                let Bounds { low, high } = shape.bounds();
+                Extent { low, high }.corners().map(|corner| placement.world_from_generic.transform_point3(corner))
+            }
+            node => node.extent().corners(),
         }
     }
 

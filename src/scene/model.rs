@@ -63,7 +63,8 @@ impl Camera {
     }
 
     /// Half the width and height of the image plane at distance 1.
-    fn half_size(&self, image: Image) -> (f64, f64) {
+    #[must_use]
+    pub fn half_size(&self, image: Image) -> (f64, f64) {
         (self.half_height * f64::from(image.width) / f64::from(image.height), self.half_height)
     }
 }
@@ -147,13 +148,15 @@ pub struct Shortcuts {
     pub projections: bool,
     /// The tree of boxes over the objects.
     pub hierarchy: bool,
+    /// The grids of what the eye and the lights see.
+    pub sights: bool,
 }
 
 impl Shortcuts {
     /// All of them.
-    pub const ALL: Self = Self { boxes: true, projections: true, hierarchy: true };
+    pub const ALL: Self = Self { boxes: true, projections: true, hierarchy: true, sights: true };
     /// Every ray asks everything.
-    pub const NONE: Self = Self { boxes: false, projections: false, hierarchy: false };
+    pub const NONE: Self = Self { boxes: false, projections: false, hierarchy: false, sights: false };
 }
 
 /// A solid with materials.

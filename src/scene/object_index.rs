@@ -1,5 +1,6 @@
 //! What is known of the object list before a ray is sent, worked out once for a scene.
 
+use super::projection::Blur;
 use super::{Camera, Material, Object, Projection};
 use crate::csg::{Extent, Hierarchy};
 
@@ -36,12 +37,13 @@ impl ObjectIndex {
         let transparent: Vec<_> = (0..objects.len()).filter(|&o| lets_through(objects[o].material)).collect();
         let around_the_eye = transparent.iter().copied().filter(|&object| extents[object].holds(camera.eye)).collect();
         let skew = objects.iter().map(|object| object.solid.skew).fold(1.0, f64::max);
+        let blur = Blur { skew, reach: camera.eye.abs().max_element() };
         Self {
             hierarchy: Hierarchy::new(&boxes),
             bounded,
             unbounded,
             opaque: objects.iter().map(|o| !o.leaf_materials.iter().any(|&m| lets_through(m))).collect(),
-            projections: extents.iter().map(|extent| Projection::new(camera, extent, skew)).collect(),
+            projections: objects.iter().map(|object| Projection::new(camera, &object.solid.hull(), blur)).collect(),
             transparent,
             around_the_eye,
             skew,

@@ -1,7 +1,6 @@
 //! Projection extents (§ 6.5.4): the rectangle of the picture outside which no ray from the eye meets an object.
 
 use super::Camera;
-use crate::csg::Extent;
 use glam::{DVec2, DVec3};
 
 /// A rectangle on the image plane at distance 1, in units of that plane: across and upwards from its middle.
@@ -17,22 +16,36 @@ pub struct Projection {
 /// ray could cut off a hit at a silhouette; more would only cost a test now and then.
 const PADDING: f64 = 64.0 * f64::EPSILON;
 
+/// How far rounding can move a corner or a ray: in proportion to the coordinates of the corner, of the eye, and of the points
+/// that rays are sent from.
+#[derive(Clone, Copy, Debug)]
+pub struct Blur {
+    /// [`Placement::skew`](crate::csg::Placement::skew) of what is looked at.
+    pub skew: f64,
+    /// Bound on the coordinates of the eye and of all points that rays are sent from.
+    pub reach: f64,
+}
+
+impl Blur {
+    /// At a point.
+    #[must_use]
+    pub fn at(&self, point: DVec3) -> f64 {
+        PADDING * self.skew * (point.abs().max_element() + self.reach)
+    }
+}
+
 impl Projection {
     /// The whole plane: for what is unbounded, or not wholly in front of the eye.
     pub const EVERYWHERE: Self = Self { low: DVec2::NEG_INFINITY, high: DVec2::INFINITY };
 
-    /// The rectangle that holds the eight corners of a box.
+    /// No place at all.
+    pub const NOWHERE: Self = Self { low: DVec2::INFINITY, high: DVec2::NEG_INFINITY };
+
+    /// The rectangle that holds the corners of a solid's hull.
     #[must_use]
-    pub fn new(camera: &Camera, extent: &Extent, skew: f64) -> Self {
-        if !extent.is_finite() {
-            return Self::EVERYWHERE;
-        }
-        let nothing = Self { low: DVec2::INFINITY, high: DVec2::NEG_INFINITY };
-        let corner = |k: usize| {
-            let pick = |axis: usize| if k >> axis & 1 == 0 { extent.low[axis] } else { extent.high[axis] };
-            DVec3::new(pick(0), pick(1), pick(2))
-        };
-        (0..8).map(corner).fold(nothing, |all, corner| all.joined(Self::of_point(camera, corner, skew)))
+    pub fn new(camera: &Camera, corners: &[DVec3; 8], blur: Blur) -> Self {
+        let of = |corner: &DVec3| Self::of_point(camera, *corner, blur.at(*corner));
+        corners.iter().map(of).fold(Self::NOWHERE, Self::joined)
     }
 
     /// Whether a ray through this point of the image plane may meet the object.
@@ -42,12 +55,17 @@ impl Projection {
         self.low.x <= across && across <= self.high.x && self.low.y <= upwards && upwards <= self.high.y
     }
 
-    fn of_point(camera: &Camera, point: DVec3, skew: f64) -> Self {
+    /// Whether the two have a point in common.
+    #[must_use]
+    pub fn meets(&self, other: &Self) -> bool {
+        self.low.cmple(other.high).all() && other.low.cmple(self.high).all()
+    }
+
+    fn of_point(camera: &Camera, point: DVec3, blur: f64) -> Self {
         let from_eye = point - camera.eye;
         let depth = from_eye.dot(camera.forward);
-        let blur = PADDING * skew * (point.abs() + camera.eye.abs()).max_element();
-        // Not `depth <= 2 blur`: what is not a number lies everywhere too.
-        if !(depth > 2.0 * blur) {
+        // What is not a number lies everywhere too.
+        if depth.is_nan() || blur.is_nan() || depth <= 2.0 * blur {
             return Self::EVERYWHERE;
         }
         let place = DVec2::new(from_eye.dot(camera.right), from_eye.dot(camera.up)) / depth;
@@ -63,12 +81,15 @@ impl Projection {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::csg::Extent;
 
     const CAMERA: Camera =
         Camera { eye: DVec3::ZERO, right: DVec3::X, up: DVec3::Z, forward: DVec3::Y, half_height: 0.5 };
 
+    const BLUR: Blur = Blur { skew: 1.0, reach: 0.0 };
+
     fn rectangle(low: [f64; 3], high: [f64; 3]) -> Projection {
-        Projection::new(&CAMERA, &Extent { low: low.into(), high: high.into() }, 1.0)
+        Projection::new(&CAMERA, &Extent { low: low.into(), high: high.into() }.corners(), BLUR)
     }
 
     #[test]
@@ -82,7 +103,7 @@ mod tests {
     #[test]
     fn what_reaches_behind_the_eye_is_everywhere() {
         assert_eq!(rectangle([-1.0, -0.1, -1.0], [1.0, 4.0, 1.0]), Projection::EVERYWHERE);
-        assert_eq!(Projection::new(&CAMERA, &Extent::UNBOUNDED, 1.0), Projection::EVERYWHERE);
+        assert_eq!(Projection::new(&CAMERA, &Extent::UNBOUNDED.corners(), BLUR), Projection::EVERYWHERE);
         assert!(Projection::EVERYWHERE.holds([1e300, -1e300]));
     }
 

@@ -94,6 +94,14 @@ macro_rules! define_shape {
             pub const fn name(&self) -> &'static str {
                 match self { $(Self::$variant(_) => $name,)* }
             }
+
+            /// The shape's place in the list, for counters.
+            #[must_use]
+            #[inline]
+            pub const fn index(&self) -> usize {
+                enum Place { $($variant),* }
+                match self { $(Self::$variant(_) => Place::$variant as usize,)* }
+            }
         }
 
         impl Primitive for Shape {
@@ -137,11 +145,3 @@ macro_rules! define_shape {
 }
 
 for_each_shape!(define_shape);
-
-impl Shape {
-    /// The shape's place in the list, for counters.
-    #[must_use]
-    pub fn index(&self) -> usize {
-        Self::NAMES.iter().position(|name| *name == self.name()).unwrap_or(0)
-    }
-}

@@ -17,16 +17,18 @@ struct Way {
     towards: DVec3,
     /// The hit time beyond which nothing is in the way.
     limit: f64,
+    /// The light, by its place in the list.
+    light: usize,
 }
 
 impl Way {
-    fn new(light: &Light, point: DVec3) -> Self {
-        match light.kind {
+    fn new(lights: &[Light], light: usize, point: DVec3) -> Self {
+        match lights[light].kind {
             LightKind::Point(position) => {
                 let direction = position - point;
-                Self { direction, towards: direction.normalize_or_zero(), limit: 1.0 }
+                Self { direction, towards: direction.normalize_or_zero(), limit: 1.0, light }
             }
-            LightKind::Directional(towards) => Self { direction: towards, towards, limit: f64::INFINITY },
+            LightKind::Directional(towards) => Self { direction: towards, towards, limit: f64::INFINITY, light },
         }
     }
 }
@@ -77,17 +79,18 @@ impl Tracer<'_> {
                 components.ambient.to_array(),
             )
         });
-        for light in &self.scene.lights {
-            let [diffuse, specular] = self.light(ray, surface, light, recorder);
+        for index in 0..self.scene.lights.len() {
+            let [diffuse, specular] = self.light(ray, surface, index, recorder);
             components.diffuse += diffuse;
             components.specular += specular;
         }
     }
 
     /// Diffuse and specular term of one light: I k_d max(0, n·l) and I k_s max(0, r·v)^f, r being l mirrored at n.
-    fn light<R: Recorder>(&self, ray: &Ray, surface: &Surface, light: &Light, recorder: &mut R) -> [Rgb; 2] {
+    fn light<R: Recorder>(&self, ray: &Ray, surface: &Surface, index: usize, recorder: &mut R) -> [Rgb; 2] {
         recorder.begin();
-        let way = Way::new(light, surface.point);
+        let light = &self.scene.lights[index];
+        let way = Way::new(&self.scene.lights, index, surface.point);
         let n_dot_l = surface.n_shading.dot(way.towards);
         let share = if n_dot_l > 0.0 { self.arriving(ray, surface, &way, recorder) } else { 0.0 };
         let arriving = light.colour * share;
@@ -95,7 +98,10 @@ impl Tracer<'_> {
         let mirrored = reflect(-way.towards, surface.n_shading);
         let r_dot_v = mirrored.dot(-ray.direction.normalize()).max(0.0);
         let diffuse = arriving * material.diffuse * n_dot_l.max(0.0);
-        let specular = arriving * material.specular * r_dot_v.powf(material.exponent);
+        let is_lit = share > 0.0 && material.specular != Rgb::ZERO;
+        // A power is dear, and 0 times it is 0.
+        let highlight = if is_lit || R::RECORDING { r_dot_v.powf(material.exponent) } else { 0.0 };
+        let specular = arriving * material.specular * highlight;
         recorder.end(|| {
             let distance = matches!(light.kind, LightKind::Point(_)).then(|| way.direction.length());
             let bindings: [(&str, Value); 7] = [
@@ -143,7 +149,7 @@ impl Tracer<'_> {
         };
         recorder.count(Counter::Ray(RayKind::Shadow));
         if !R::RECORDING {
-            return self.let_through(&shadow, way.limit, recorder);
+            return self.let_through(&shadow, way.light, way.limit, recorder);
         }
         recorder.begin();
         let share = self.told_let_through(&shadow, way.limit, recorder);

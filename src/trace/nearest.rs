@@ -11,6 +11,7 @@ use super::light::Shade;
 use super::ray::{Ray, Tracer};
 use crate::csg::{Boundary, Course};
 use crate::record::{Recorder, Sense};
+use crate::scene::Candidate;
 
 impl Tracer<'_> {
     /// The closest boundary in front of the ray's start.
@@ -29,10 +30,10 @@ impl Tracer<'_> {
     }
 
     /// The share of a light at `limit` that arrives along a shadow ray: nothing behind the first opaque object.
-    pub(super) fn let_through<R: Recorder>(&self, ray: &Ray, limit: f64, recorder: &mut R) -> f64 {
+    pub(super) fn let_through<R: Recorder>(&self, ray: &Ray, light: usize, limit: f64, recorder: &mut R) -> f64 {
         let course = self.course(ray);
         let mut shade = Shade::default();
-        self.for_each_in_the_way(ray, &course, limit, |object, is_met| {
+        let mut ask = |object: usize, is_met: bool| {
             if self.scene.index.opaque[object] {
                 shade.is_dark |= self.blocks(object, ray, &course, is_met, limit, recorder);
             } else {
@@ -40,8 +41,30 @@ impl Tracer<'_> {
                 shade.add(object, self.passed(&self.scene.objects[object], &ahead, limit, recorder));
             }
             if shade.is_dark { f64::NEG_INFINITY } else { limit }
-        });
+        };
+        match self.sights.and_then(|sights| sights.lights[light].as_ref()?.before(ray.origin)) {
+            Some(candidates) => self.for_each_before_the_light(ray, candidates, ask),
+            None => self.for_each_in_the_way(ray, &course, limit, &mut ask),
+        }
         shade.share()
+    }
+
+    /// Shows the objects that may stand before a light to `ask`, until it returns a time before everything.
+    fn for_each_before_the_light<'b>(
+        &self,
+        ray: &Ray,
+        candidates: impl Iterator<Item = &'b Candidate>,
+        mut ask: impl FnMut(usize, bool) -> f64,
+    ) {
+        let departed = ray.departure.map(|departure| departure.object);
+        let unbounded = self.scene.index.unbounded.iter().copied();
+        let others = unbounded.chain(candidates.map(|candidate| candidate.object));
+        let others = others.filter(|&object| departed != Some(object));
+        for object in departed.into_iter().chain(others) {
+            if ask(object, false) == f64::NEG_INFINITY {
+                return;
+            }
+        }
     }
 
     /// Shows the objects that may be in the way of a ray to `ask`, with whether it is known that the ray meets the object's
@@ -51,21 +74,33 @@ impl Tracer<'_> {
         let departed = ray.departure.map(|departure| departure.object);
         let mut limit = limit;
         // The object that the ray starts on comes first: its boundaries may lie at t = 0, before its box begins.
-        let begin = departed.into_iter().chain(index.unbounded.iter().copied().filter(|&object| departed != Some(object)));
-        for object in begin {
+        let others = index.unbounded.iter().copied().filter(|&object| departed != Some(object));
+        for object in departed.into_iter().chain(others) {
             limit = limit.min(ask(object, false));
         }
-        let is_asked = |object: usize| departed != Some(object) && self.is_projected(ray, object);
-        if self.scene.shortcuts.hierarchy {
+        if let Some(candidates) = self.seen_from_the_eye(ray) {
+            for candidate in candidates {
+                if candidate.depth > limit {
+                    break;
+                }
+                limit = limit.min(ask(candidate.object, false));
+            }
+        } else if self.scene.shortcuts.hierarchy {
             index.hierarchy.walk(course, limit, |item, limit| {
                 let object = index.bounded[item];
-                if is_asked(object) { limit.min(ask(object, true)) } else { limit }
+                if departed == Some(object) { limit } else { limit.min(ask(object, true)) }
             });
         } else {
-            index.bounded.iter().copied().filter(|&object| is_asked(object)).for_each(|object| {
+            let is_asked = |object: &usize| departed != Some(*object) && self.is_projected(ray, *object);
+            index.bounded.iter().copied().filter(is_asked).for_each(|object| {
                 ask(object, false);
             });
         }
+    }
+
+    /// The objects that a ray from the eye may meet, the nearest first. Along such a ray t is the depth.
+    fn seen_from_the_eye(&self, ray: &Ray) -> Option<impl Iterator<Item = &Candidate>> {
+        self.sights?.eye.at(ray.place?)
     }
 
     /// Whether the object may be seen in the direction of a ray from the eye.

@@ -1,8 +1,9 @@
 //! Whole pictures: every pixel by the same function, on all cores, coarse to fine where somebody is watching.
 
-use super::pixel::trace_pixel;
+use super::pixel::trace_pixel_with;
+use super::ray::Tracer;
 use super::tally::Tally;
-use crate::scene::{Rgb, Scene};
+use crate::scene::{Rgb, Scene, Sights};
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
@@ -101,11 +102,13 @@ pub fn render_rows(
 ) -> (Picture, Tally) {
     let mut picture = Picture::new(scene);
     let mut tally = Tally::default();
+    let sights = scene.shortcuts.sights.then(|| Sights::new(scene));
+    let tracer = sights.as_ref().map_or(Tracer::new(scene), |sights| Tracer::new(scene).with_sights(sights));
     let coarsest = step.max(1).next_power_of_two();
     let mut side = coarsest;
     while side > 0 && !progress.cancelled() {
         let rows: Vec<u32> = (0..picture.height).step_by(side as usize).collect();
-        let traced: Vec<Row> = rows.par_iter().map(|&y| trace_row(scene, y, side, coarsest, progress)).collect();
+        let traced: Vec<Row> = rows.par_iter().map(|&y| trace_row(&tracer, y, side, coarsest, progress)).collect();
         for row in &traced {
             row.pixels.iter().for_each(|&(x, colour)| picture.fill(x, row.y, side, colour));
             picture.computed += row.pixels.len();
@@ -126,15 +129,15 @@ struct Row {
     tally: Tally,
 }
 
-fn trace_row(scene: &Scene, y: u32, side: u32, coarsest: u32, progress: &Progress) -> Row {
+fn trace_row(tracer: &Tracer, y: u32, side: u32, coarsest: u32, progress: &Progress) -> Row {
     let mut row = Row { y, pixels: Vec::new(), tally: Tally::default() };
-    for x in (0..scene.image.width).step_by(side as usize) {
+    for x in (0..tracer.scene.image.width).step_by(side as usize) {
         if progress.cancelled() {
             break;
         }
         let known = side < coarsest && x.is_multiple_of(2 * side) && y.is_multiple_of(2 * side);
         if !known {
-            row.pixels.push((x, trace_pixel(scene, x, y, &mut row.tally)));
+            row.pixels.push((x, trace_pixel_with(tracer, x, y, &mut row.tally)));
             progress.done.fetch_add(1, Ordering::Relaxed);
         }
     }

@@ -9,9 +9,14 @@ use glam::DVec3;
 
 /// The linear colour of a pixel; (0, 0) is the top left one.
 pub fn trace_pixel(scene: &Scene, x: u32, y: u32, recorder: &mut impl Recorder) -> Rgb {
-    let tracer = Tracer::new(scene);
+    trace_pixel_with(&Tracer::new(scene), x, y, recorder)
+}
+
+/// The same with a tracer that is there.
+pub(super) fn trace_pixel_with(tracer: &Tracer, x: u32, y: u32, recorder: &mut impl Recorder) -> Rgb {
+    let scene = tracer.scene;
     recorder.begin();
-    let ray = build_ray(&tracer, x, y, recorder);
+    let ray = build_ray(tracer, x, y, recorder);
     let colour = tracer.trace(ray.clone(), recorder);
     place_colour(&ray, colour, recorder);
     let (width, height) = (scene.image.width, scene.image.height);

@@ -5,7 +5,7 @@ use super::departure::{Ahead, Departure};
 use crate::csg::{Course, IntervalList, Solid};
 use crate::optics::MediaStack;
 use crate::record::{Counter, Entry, NullRecorder, RayKind, Recorder, What};
-use crate::scene::{Object, Rgb, Scene};
+use crate::scene::{Object, Rgb, Scene, Sights};
 use glam::DVec3;
 
 /// A ray P(t) = origin + direction t in world space.
@@ -65,6 +65,8 @@ impl Ray {
 pub struct Tracer<'a> {
     /// The scene.
     pub scene: &'a Scene,
+    /// What the eye and the lights see, if that was worked out.
+    pub(super) sights: Option<&'a Sights>,
 }
 
 /// The five components of the light that a ray brings back: I = I_amb + I_diff + I_spec + I_refl + I_tran (§ 6.4).
@@ -110,7 +112,13 @@ impl<'a> Tracer<'a> {
     /// A tracer of this scene.
     #[must_use]
     pub const fn new(scene: &'a Scene) -> Self {
-        Self { scene }
+        Self { scene, sights: None }
+    }
+
+    /// The same tracer, for many rays: it looks up what the eye and the lights see.
+    #[must_use]
+    pub const fn with_sights(self, sights: &'a Sights) -> Self {
+        Self { sights: Some(sights), ..self }
     }
 
     /// The colour that comes back along the ray: steps 2 to 5 of § 6.1, for camera rays and for spawned ones alike.

@@ -50,8 +50,9 @@ fn check_hits(hits: &Value, inside: Option<&Value>) -> Result<(), String> {
         };
         let low = missing(0, i == 0)?.unwrap_or(f64::NEG_INFINITY);
         let high = missing(1, i + 1 == spans.len())?.unwrap_or(f64::INFINITY);
-        if low >= high || (i > 0 && low <= before) {
-            return Err(format!("the span {low} to {high} has no length, or none of its own"));
+        // A stretch inside that is thinner than the last digit of t has two ends at the same t.
+        if low > high || (i > 0 && low <= before) {
+            return Err(format!("the span {low} to {high} ends before it begins, or overlaps the one before"));
         }
         before = high;
     }
