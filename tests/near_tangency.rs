@@ -213,7 +213,7 @@ fn inside(solid: &Value, (origin, direction): (DVec3, DVec3)) -> IntervalList {
 }
 
 fn lengths(list: &IntervalList) -> Vec<f64> {
-    list.intervals.iter().map(|span| span.leave.unwrap().t - span.enter.unwrap().t).collect()
+    list.intervals().map(|span| span.leave.unwrap().t - span.enter.unwrap().t).collect()
 }
 
 fn check_pair(shape: &Value, pair: &Pair, slant: f64) -> Result<(), TestCaseError> {
@@ -227,7 +227,7 @@ fn check_pair(shape: &Value, pair: &Pair, slant: f64) -> Result<(), TestCaseErro
     let ray = (rotation * DVec3::X - direction * pair.distance, direction);
     let along = pair.overlap / (rotation * DVec3::X).dot(direction);
     // What the two solids say of the places where the first is left and the second entered.
-    let [first, second] = [&near, &far].map(|solid| inside(solid, ray).intervals[0]);
+    let [first, second] = [&near, &far].map(|solid| inside(solid, ray).intervals().next().unwrap());
     let doubt = first.leave.unwrap().error + second.enter.unwrap().error + 4.0 * f64::EPSILON * pair.distance;
     prop_assert!(doubt < 64.0 * f64::EPSILON * (pair.distance + 3.0), "{:?}: {}", pair, doubt);
     let [both, either, rest] = ["intersection", "union", "difference"]

@@ -5,8 +5,8 @@
 //! faces are thereby decided by rule, not by the last bit: A − A is empty, A ∩ A is A, and boxes that abut unite
 //! without a seam. Where both operands could give the new boundary, the left one does.
 
-use super::{Boundary, Interval, IntervalList};
-use crate::record::{Operator, Sense};
+use super::{Boundary, IntervalList};
+use crate::record::Operator;
 use smallvec::SmallVec;
 
 impl Operator {
@@ -23,14 +23,13 @@ impl Operator {
 
 /// A boundary of one of the operands.
 #[derive(Clone, Copy)]
-struct Toggle {
-    boundary: Boundary,
-    sense: Sense,
+struct Toggle<'a> {
+    boundary: &'a Boundary,
     from_right: bool,
 }
 
 /// Boundaries of both operands, with room for those of two convex solids.
-type Toggles = SmallVec<[Toggle; 4]>;
+type Toggles<'a> = SmallVec<[Toggle<'a>; 8]>;
 
 /// Boundaries of two operands that cannot be told apart, though their times differ.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -51,11 +50,10 @@ pub(super) fn combine(
     right: &IntervalList,
     tied: &mut impl FnMut(Tie),
 ) -> IntervalList {
-    let toggles = merged(left, right);
-    let mut inside = [starts_inside(left), starts_inside(right)];
-    let mut result = IntervalList::default();
-    let mut enter = None;
+    let mut inside = [left.starts_inside(), right.starts_inside()];
     let mut is_open = operator.holds(inside[0], inside[1]);
+    let mut result = IntervalList::starting(is_open);
+    let toggles = merged(left.ends(), right.ends());
     let mut rest = toggles.as_slice();
     while !rest.is_empty() {
         let (group, after) = rest.split_at(crossed_together(rest));
@@ -64,46 +62,32 @@ pub(super) fn combine(
         }
         let before = inside;
         for toggle in group {
-            inside[usize::from(toggle.from_right)] = toggle.sense == Sense::Enter;
+            let operand = &mut inside[usize::from(toggle.from_right)];
+            *operand = !*operand;
         }
         let now_open = operator.holds(inside[0], inside[1]);
         if now_open != is_open {
-            let boundary = responsible(operator, group, before, inside);
-            if now_open {
-                enter = boundary;
-            } else {
-                result.intervals.push(Interval { enter: enter.take(), leave: boundary });
+            if let Some(boundary) = responsible(operator, group, before, inside) {
+                result.push(boundary, now_open);
             }
             is_open = now_open;
         }
         rest = after;
     }
-    if is_open {
-        result.intervals.push(Interval { enter, leave: None });
-    }
     result
 }
 
-/// Whether the ray begins, infinitely far back, inside.
-fn starts_inside(list: &IntervalList) -> bool {
-    list.intervals.first().is_some_and(|interval| interval.enter.is_none())
-}
-
 /// The boundaries of both operands, ascending; the left one first where they are equal.
-fn merged(left: &IntervalList, right: &IntervalList) -> Toggles {
-    let of = |from_right| move |(boundary, sense)| Toggle { boundary, sense, from_right };
-    let (mut lefts, mut rights) = (left.ends().map(of(false)).peekable(), right.ends().map(of(true)).peekable());
+fn merged<'a>(left: &'a [Boundary], right: &'a [Boundary]) -> Toggles<'a> {
     let mut toggles = Toggles::new();
-    loop {
-        let right_is_next = match (lefts.peek(), rights.peek()) {
-            (Some(left), Some(right)) => right.boundary.t < left.boundary.t,
-            (left, _) => left.is_none(),
-        };
-        match if right_is_next { rights.next() } else { lefts.next() } {
-            Some(toggle) => toggles.push(toggle),
-            None => return toggles,
-        }
+    let (mut l, mut r) = (0, 0);
+    while l < left.len() || r < right.len() {
+        let from_right = l == left.len() || r < right.len() && right[r].t < left[l].t;
+        let (operand, place) = if from_right { (right, &mut r) } else { (left, &mut l) };
+        toggles.push(Toggle { boundary: &operand[*place], from_right });
+        *place += 1;
     }
+    toggles
 }
 
 /// What is in doubt about toggles that are crossed together: nothing where they coincide to the last digit.
@@ -136,7 +120,7 @@ fn responsible(operator: Operator, group: &[Toggle], before: [bool; 2], after: [
     let left_changed = before[0] != after[0] && after[0] == enters;
     let toggle = group.iter().rev().find(|toggle| toggle.from_right != left_changed)?;
     let flips = toggle.from_right && operator == Operator::Difference;
-    Some(Boundary { flipped: toggle.boundary.flipped != flips, ..toggle.boundary })
+    Some(Boundary { flipped: toggle.boundary.flipped != flips, ..*toggle.boundary })
 }
 
 #[cfg(test)]
@@ -154,14 +138,22 @@ mod tests {
     }
 
     fn list(leaf: usize, spans: &[(f64, f64)]) -> IntervalList {
-        let end = |t: f64| t.is_finite().then(|| boundary(t, leaf));
-        let intervals = spans.iter().map(|&(a, b)| Interval { enter: end(a), leave: end(b) }).collect();
-        IntervalList { intervals, ..IntervalList::default() }
+        let mut list = IntervalList::starting(spans.first().is_some_and(|span| span.0 == f64::NEG_INFINITY));
+        let ends = spans.iter().flat_map(|&(a, b)| [a, b]).filter(|t| t.is_finite());
+        ends.for_each(|t| list.push(boundary(t, leaf), false));
+        list
+    }
+
+    /// The same list with another bound on all errors.
+    fn blurred(list: &IntervalList, error: f64) -> IntervalList {
+        let mut blurred = IntervalList::starting(list.starts_inside());
+        list.ends().iter().for_each(|&boundary| blurred.push(Boundary { error, ..boundary }, false));
+        blurred
     }
 
     fn spans(list: &IntervalList) -> Vec<(f64, f64)> {
         let at = |b: Option<Boundary>, otherwise| b.map_or(otherwise, |b| b.t);
-        list.intervals.iter().map(|i| (at(i.enter, f64::NEG_INFINITY), at(i.leave, f64::INFINITY))).collect()
+        list.intervals().map(|i| (at(i.enter, f64::NEG_INFINITY), at(i.leave, f64::INFINITY))).collect()
     }
 
     #[test]
@@ -190,13 +182,7 @@ mod tests {
 
     #[test]
     fn boundaries_within_each_others_error_are_one() {
-        let mut a = list(0, &[(0.0, 1.0)]);
-        let mut b = list(1, &[(1.0 + 1e-12, 2.0)]);
-        for interval in a.intervals.iter_mut().chain(&mut b.intervals) {
-            for end in [&mut interval.enter, &mut interval.leave].into_iter().flatten() {
-                end.error = 1e-12;
-            }
-        }
+        let [a, b] = [list(0, &[(0.0, 1.0)]), list(1, &[(1.0 + 1e-12, 2.0)])].map(|list| blurred(&list, 1e-12));
         assert_eq!(spans(&combine(Operator::Union, &a, &b)), [(0.0, 2.0)]);
     }
 
@@ -206,8 +192,8 @@ mod tests {
         let a = list(0, &[(0.0, 1.0)]);
         super::combine(Operator::Union, &a, &a, &mut |tie| ties.push(tie));
         assert!(ties.is_empty());
-        let mut b = list(1, &[(0.0, 1.0 + 1e-12)]);
-        b.intervals[0].leave.as_mut().unwrap().error = 1e-11;
+        let a = list(0, &[(0.0, 1.0)]);
+        let b = blurred(&list(1, &[(-1.0, 1.0 + 1e-12)]), 1e-11);
         super::combine(Operator::Union, &a, &b, &mut |tie| ties.push(tie));
         let [Tie { t, gap, doubt }] = ties[..] else { panic!("{ties:?}") };
         assert!(t == 1.0 && (gap - 1e-12).abs() < 1e-15 && doubt == 1e-11);
@@ -216,11 +202,19 @@ mod tests {
     #[test]
     fn subtracted_surfaces_are_flipped_and_doubly_subtracted_ones_are_not() {
         let shell = combine(Operator::Difference, &list(0, &[(0.0, 10.0)]), &list(1, &[(2.0, 8.0)]));
-        let inner = shell.intervals[0].leave.expect("the first wall ends");
+        let inner = shell.intervals().next().unwrap().leave.expect("the first wall ends");
         assert_eq!((inner.t, inner.leaf, inner.flipped), (2.0, 1, true));
         let rest = combine(Operator::Difference, &list(2, &[(-1.0, 11.0)]), &shell);
-        let inner = rest.intervals[1].enter.expect("the hollow is what is left");
+        let inner = rest.intervals().nth(1).unwrap().enter.expect("the hollow is what is left");
         assert_eq!((inner.t, inner.leaf, inner.flipped), (2.0, 1, false));
+    }
+
+    #[test]
+    fn a_gap_without_length_is_closed_and_a_blade_without_length_is_kept() {
+        let (ball, blade) = (list(0, &[(0.0, 2.0)]), list(1, &[(1.0, 1.0)]));
+        assert_eq!(spans(&combine(Operator::Difference, &ball, &blade)), [(0.0, 2.0)]);
+        assert_eq!(spans(&combine(Operator::Difference, &ball, &list(1, &[(0.0, 0.0)]))), [(0.0, 2.0)]);
+        assert_eq!(spans(&combine(Operator::Union, &list(0, &[(3.0, 4.0)]), &blade)), [(1.0, 1.0), (3.0, 4.0)]);
     }
 
     #[test]

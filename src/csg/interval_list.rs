@@ -1,8 +1,8 @@
 //! The inside set of a ray: disjoint intervals, each end knowing the surface that it lies on.
 
 use crate::record::{Certificate, Sense};
-use crate::shape::Part;
-use smallvec::{SmallVec, smallvec};
+use crate::shape::{Crossing, Part};
+use smallvec::SmallVec;
 
 /// A place where a ray crosses the boundary of a solid.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -30,35 +30,87 @@ pub struct Interval {
     pub leave: Option<Boundary>,
 }
 
-/// All inside intervals of one ray, ascending and disjoint, and the touches of surfaces that bound nothing.
+/// All inside intervals of one ray, ascending and disjoint, or the touches of a surface that bounds nothing.
+///
+/// Only the ends are kept: they lead in and out by turns.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct IntervalList {
-    /// The inside intervals.
-    pub intervals: SmallVec<[Interval; 2]>,
-    /// Hits with a square, ascending.
-    pub touches: SmallVec<[Boundary; 1]>,
+    ends: SmallVec<[Boundary; 4]>,
+    /// Whether the ray begins, infinitely far back, inside.
+    starts_inside: bool,
+    /// The ends are touches.
+    touches: bool,
 }
 
 /// Boundaries with what they do to the ray. Few rays meet more than four of one object; those go without the allocator.
 pub type Boundaries = SmallVec<[(Boundary, Sense); 4]>;
 
 impl IntervalList {
-    /// The whole line.
+    /// A ray that is inside from the beginning, or not, before its first boundary.
     #[must_use]
-    pub fn everything() -> Self {
-        Self { intervals: smallvec![Interval { enter: None, leave: None }], touches: SmallVec::new() }
+    pub fn starting(inside: bool) -> Self {
+        Self { ends: SmallVec::new(), starts_inside: inside, touches: false }
+    }
+
+    /// The crossings of one primitive, in order.
+    #[must_use]
+    pub fn of_crossings(leaf: usize, crossings: &[Crossing]) -> Self {
+        let ends = crossings.iter().map(|crossing| Boundary::of_crossing(leaf, crossing)).collect();
+        let first = crossings.first().map(|crossing| crossing.sense);
+        Self { ends, starts_inside: first == Some(Sense::Leave), touches: first == Some(Sense::Touch) }
+    }
+
+    /// Adds the next boundary, behind all others, unless the ray comes in again where it went out: a gap without length is
+    /// none.
+    #[inline]
+    pub(super) fn push(&mut self, boundary: Boundary, enters: bool) {
+        match self.ends.last() {
+            Some(last) if enters && last.t == boundary.t => drop(self.ends.pop()),
+            _ => self.ends.push(boundary),
+        }
     }
 
     /// Whether the ray misses.
     #[must_use]
+    #[inline]
     pub fn is_empty(&self) -> bool {
-        self.intervals.is_empty() && self.touches.is_empty()
+        self.ends.is_empty() && !self.starts_inside
+    }
+
+    /// Whether the ray begins, infinitely far back, inside.
+    #[must_use]
+    #[inline]
+    pub const fn starts_inside(&self) -> bool {
+        self.starts_inside
+    }
+
+    /// Whether the ray ends, infinitely far ahead, inside.
+    #[must_use]
+    pub fn ends_inside(&self) -> bool {
+        !self.touches && self.starts_inside != (self.ends.len() % 2 == 1)
+    }
+
+    /// The boundaries of the inside set, ascending; none for touches, which bound nothing.
+    #[must_use]
+    #[inline]
+    pub fn ends(&self) -> &[Boundary] {
+        if self.touches { &[] } else { &self.ends }
+    }
+
+    /// The inside intervals, ascending.
+    pub fn intervals(&self) -> impl ExactSizeIterator<Item = Interval> {
+        let ends = self.ends();
+        // Where the ray begins inside, the first interval has no beginning.
+        let shift = usize::from(self.starts_inside);
+        let end = move |place: Option<usize>| place.and_then(|place| ends.get(place)).copied();
+        (0..(ends.len() + shift).div_ceil(2))
+            .map(move |k| Interval { enter: end((2 * k).checked_sub(shift)), leave: end((2 * k + 1).checked_sub(shift)) })
     }
 
     /// Whether the point at `t` is inside.
     #[must_use]
     pub fn contains(&self, t: f64) -> bool {
-        self.intervals.iter().any(|interval| {
+        self.intervals().any(|interval| {
             interval.enter.is_none_or(|enter| enter.t <= t) && interval.leave.is_none_or(|leave| t <= leave.t)
         })
     }
@@ -66,17 +118,32 @@ impl IntervalList {
     /// Every boundary with what it does to the ray, ascending in t.
     #[must_use]
     pub fn boundaries(&self) -> Boundaries {
-        let mut all: Boundaries = self.ends().collect();
-        if !self.touches.is_empty() {
-            all.extend(self.touches.iter().map(|&boundary| (boundary, Sense::Touch)));
-            all.sort_by(|(a, _), (b, _)| a.t.total_cmp(&b.t));
-        }
-        all
+        (0..).zip(&self.ends).map(|(k, boundary)| (*boundary, self.sense(k))).collect()
     }
 
-    /// The ends of the intervals, ascending in t.
-    pub fn ends(&self) -> impl Iterator<Item = (Boundary, Sense)> {
-        let both = |i: &Interval| [i.enter.map(|b| (b, Sense::Enter)), i.leave.map(|b| (b, Sense::Leave))];
-        self.intervals.iter().flat_map(both).flatten()
+    /// The first boundary with t > 0, with what it does to the ray.
+    #[must_use]
+    pub fn first_in_front(&self) -> Option<(Boundary, Sense)> {
+        let k = self.ends.iter().position(|boundary| boundary.t > 0.0)?;
+        Some((self.ends[k], self.sense(k)))
+    }
+
+    #[inline]
+    const fn sense(&self, k: usize) -> Sense {
+        match (self.touches, self.starts_inside == (k % 2 == 1)) {
+            (true, _) => Sense::Touch,
+            (false, true) => Sense::Enter,
+            (false, false) => Sense::Leave,
+        }
+    }
+}
+
+impl Boundary {
+    /// A leaf's crossing as a boundary of the solid.
+    #[must_use]
+    #[inline]
+    pub const fn of_crossing(leaf: usize, crossing: &Crossing) -> Self {
+        let Crossing { t, error, part, certificate, .. } = *crossing;
+        Self { t, error, leaf, part, flipped: false, certificate }
     }
 }

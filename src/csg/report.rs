@@ -126,8 +126,8 @@ fn node_name(solid: &Solid, node: &Node) -> String {
 
 fn spans(solid: &Solid, list: &IntervalList) -> Vec<Span> {
     let edge = |boundary: Boundary| edge(&solid.leaves[boundary.leaf], &boundary);
-    let span = |interval: &Interval| Span { enter: interval.enter.map(edge), leave: interval.leave.map(edge) };
-    list.intervals.iter().map(span).collect()
+    let span = |interval: Interval| Span { enter: interval.enter.map(edge), leave: interval.leave.map(edge) };
+    list.intervals().map(span).collect()
 }
 
 fn edge(leaf: &Leaf, boundary: &Boundary) -> Edge {

@@ -2,10 +2,10 @@
 
 use super::combine::{Tie, combine};
 use super::report;
-use super::{Boundary, Course, Extent, Interval, IntervalList, Placement};
+use super::{Boundary, Course, Extent, IntervalList, Placement};
 use crate::math::{DoubleDouble, Real};
 use crate::record::{Counter, NullRecorder, Operator, Recorder, Sense};
-use crate::shape::{Bounds, Crossing, Primitive, Shape};
+use crate::shape::{Bounds, Primitive, Shape};
 use glam::DVec3;
 use std::cell::Cell;
 
@@ -93,6 +93,7 @@ pub struct Solid {
     pub nodes: Vec<Node>,
     /// The largest [`Placement::skew`] of the primitives.
     pub skew: f64,
+    convex: bool,
 }
 
 impl Solid {
@@ -100,8 +101,8 @@ impl Solid {
     #[must_use]
     pub fn leaf(leaf: Leaf) -> Self {
         let extent = Extent::of_primitive(leaf.shape.bounds(), &leaf.placement);
-        let skew = leaf.placement.skew();
-        Self { leaves: vec![leaf], nodes: vec![Node::Leaf { leaf: 0, extent }], skew }
+        let (skew, convex) = (leaf.placement.skew(), leaf.shape.is_convex());
+        Self { leaves: vec![leaf], nodes: vec![Node::Leaf { leaf: 0, extent }], skew, convex }
     }
 
     /// `left OP right`; the leaves of `right` are numbered after those of `left`.
@@ -110,12 +111,13 @@ impl Solid {
         let extent = Extent::of_pair(operator, left.extent(), right.extent());
         let (leaves_before, nodes_before) = (left.leaves.len(), left.nodes.len());
         let skew = left.skew.max(right.skew);
+        let convex = operator == Operator::Intersection && left.convex && right.convex;
         let (mut leaves, mut nodes) = (left.leaves, left.nodes);
         leaves.extend(right.leaves);
         nodes.extend(right.nodes.into_iter().map(|node| node.shifted(leaves_before, nodes_before)));
         let (left, right) = (nodes_before - 1, nodes.len() - 1);
         nodes.push(Node::Pair { name: name.into(), operator, left, right, extent });
-        Self { leaves, nodes, skew }
+        Self { leaves, nodes, skew, convex }
     }
 
     /// The node that is the whole solid.
@@ -149,10 +151,10 @@ impl Solid {
         }
     }
 
-    /// Whether a line meets it in one interval at most.
+    /// Whether it is known that a line meets it in one interval at most.
     #[must_use]
-    pub fn is_convex(&self) -> bool {
-        matches!(self.root(), Node::Leaf { leaf, .. } if self.leaves[*leaf].shape.is_convex())
+    pub const fn is_convex(&self) -> bool {
+        self.convex
     }
 
     /// The inside intervals of the ray origin + direction t, for **all** real t.
@@ -183,7 +185,7 @@ impl Solid {
         let query = Query { is_met, ..Query::new(self, course) };
         match self.root() {
             Node::Leaf { leaf, extent } => query.first_crossing(*leaf, extent, recorder),
-            Node::Pair { .. } => query.whole::<f64, _>(recorder).ends().find(|(boundary, _)| boundary.t > 0.0),
+            Node::Pair { .. } => query.whole::<f64, _>(recorder).first_in_front(),
         }
     }
 
@@ -309,9 +311,9 @@ impl<'a> Query<'a> {
         let mut crossings = Vec::with_capacity(4);
         leaf.shape.crossings(&ray, recorder, &mut crossings);
         if crossings.is_empty() && extent.is_unbounded() && leaf.shape.implicit(ray.point(A::ZERO)) < 0.0 {
-            return IntervalList::everything();
+            return IntervalList::starting(true);
         }
-        paired(index, &crossings)
+        IntervalList::of_crossings(index, &crossings)
     }
 
     /// The first crossing of a primitive with t > 0: what is first in its interval list too.
@@ -330,7 +332,7 @@ impl<'a> Query<'a> {
         let mut crossings = Vec::with_capacity(4);
         leaf.shape.crossings(&ray, recorder, &mut crossings);
         let first = crossings.iter().find(|crossing| crossing.t > 0.0)?;
-        Some((boundary(index, first), first.sense))
+        Some((Boundary::of_crossing(index, first), first.sense))
     }
 
     fn meets(&self, name: &str, extent: &Extent, recorder: &mut impl Recorder) -> bool {
@@ -367,28 +369,4 @@ fn early_out(operator: Operator, left: &IntervalList, right: &IntervalList) -> O
         (Operator::Difference, _, true) => Some("the ray misses the right solid, so the left list is the result"),
         _ => None,
     }
-}
-
-/// Crossings in order make intervals; a leading `Leave` or trailing `Enter` makes an unbounded one.
-fn paired(leaf: usize, crossings: &[Crossing]) -> IntervalList {
-    let mut list = IntervalList::default();
-    let mut enter = None;
-    for crossing in crossings {
-        let boundary = boundary(leaf, crossing);
-        match crossing.sense {
-            Sense::Enter => enter = Some(boundary),
-            Sense::Leave => list.intervals.push(Interval { enter: enter.take(), leave: Some(boundary) }),
-            Sense::Touch => list.touches.push(boundary),
-        }
-    }
-    if enter.is_some() {
-        list.intervals.push(Interval { enter, leave: None });
-    }
-    list
-}
-
-/// A leaf's crossing as a boundary of the solid.
-const fn boundary(leaf: usize, crossing: &Crossing) -> Boundary {
-    let Crossing { t, error, part, certificate, .. } = *crossing;
-    Boundary { t, error, leaf, part, flipped: false, certificate }
 }

@@ -13,12 +13,12 @@ pub fn snell_entry(direction: DVec3, normal: DVec3, n1: f64, n2: f64, optics: &O
     let entry = Entry::new(What::Snell {
         n1,
         n2,
-        theta1: optics.theta1_degrees,
-        theta2: optics.theta2_degrees,
-        critical: optics.critical_angle_degrees,
+        theta1: optics.theta1_degrees(),
+        theta2: optics.theta2_degrees(),
+        critical: optics.critical_angle_degrees(),
         total_internal_reflection: optics.refracted.is_none(),
         refracted: optics.refracted.map(|t| t.to_array()),
-        reflectance: optics.reflectance,
+        reflectance: optics.reflectance(),
     });
     let entry = with_incidence(entry, direction, normal, optics);
     let entry = with_refraction(entry, n1, n2, optics);
@@ -31,7 +31,7 @@ fn with_incidence(entry: Entry, direction: DVec3, normal: DVec3, optics: &Optics
     entry
         .line("cosθ₁", "|dir · m| / (|dir| |m|)", &vectors, optics.cos_i)
         .line("sinθ₁", "|dir × m| / (|dir| |m|)", &vectors, optics.sin_i)
-        .line("θ₁ in degrees", "arccos cosθ₁", &[("cosθ₁", optics.cos_i.into())], optics.theta1_degrees)
+        .line("θ₁ in degrees", "arccos cosθ₁", &[("cosθ₁", optics.cos_i.into())], optics.theta1_degrees())
 }
 
 /// η, w, θ₂ and the critical angle.
@@ -44,7 +44,7 @@ fn with_refraction(entry: Entry, n1: f64, n2: f64, optics: &Optics) -> Entry {
         &[("η", eta.into()), ("sinθ₁", optics.sin_i.into())],
         optics.w,
     );
-    if let (Some(cos_t), Some(theta2)) = (optics.cos_t, optics.theta2_degrees) {
+    if let (Some(cos_t), Some(theta2)) = (optics.cos_t, optics.theta2_degrees()) {
         entry = entry.line("cosθ₂", "√w", &[("w", optics.w.into())], cos_t).line(
             "θ₂ in degrees",
             "arccos cosθ₂",
@@ -54,7 +54,7 @@ fn with_refraction(entry: Entry, n1: f64, n2: f64, optics: &Optics) -> Entry {
     } else {
         entry = entry.line("total internal reflection", "w < 0", &[("w", optics.w.into())], true);
     }
-    match optics.critical_angle_degrees {
+    match optics.critical_angle_degrees() {
         Some(critical) => entry.line("critical angle in degrees", "arcsin (n₂ / n₁)", &indices, critical),
         None => entry,
     }
@@ -63,6 +63,7 @@ fn with_refraction(entry: Entry, n1: f64, n2: f64, optics: &Optics) -> Entry {
 /// R_s, R_p and their mean.
 fn with_fresnel(entry: Entry, n1: f64, n2: f64, optics: &Optics) -> Entry {
     let Some(cos_t) = optics.cos_t else { return entry };
+    let [r_s, r_p] = optics.fresnel();
     let known = [
         ("n₁", Value::Number(n1)),
         ("n₂", Value::Number(n2)),
@@ -70,7 +71,7 @@ fn with_fresnel(entry: Entry, n1: f64, n2: f64, optics: &Optics) -> Entry {
         ("cosθ₂", Value::Number(cos_t)),
     ];
     entry
-        .line("R_s", "((n₁ cosθ₁ − n₂ cosθ₂) / (n₁ cosθ₁ + n₂ cosθ₂))²", &known, optics.r_s)
-        .line("R_p", "((n₂ cosθ₁ − n₁ cosθ₂) / (n₂ cosθ₁ + n₁ cosθ₂))²", &known, optics.r_p)
-        .line("R", "(R_s + R_p) / 2", &[("R_s", optics.r_s.into()), ("R_p", optics.r_p.into())], optics.reflectance)
+        .line("R_s", "((n₁ cosθ₁ − n₂ cosθ₂) / (n₁ cosθ₁ + n₂ cosθ₂))²", &known, r_s)
+        .line("R_p", "((n₂ cosθ₁ − n₁ cosθ₂) / (n₂ cosθ₁ + n₁ cosθ₂))²", &known, r_p)
+        .line("R", "(R_s + R_p) / 2", &[("R_s", r_s.into()), ("R_p", r_p.into())], optics.reflectance())
 }

@@ -33,18 +33,10 @@ pub struct Optics {
     pub w: f64,
     /// cos θ₂; none for total internal reflection.
     pub cos_t: Option<f64>,
-    /// Reflectance of light that swings across the plane of incidence.
-    pub r_s: f64,
-    /// Reflectance of light that swings in the plane of incidence.
-    pub r_p: f64,
-    /// Reflectance of unpolarised light: the mean of the two.
-    pub reflectance: f64,
-    /// θ₁.
-    pub theta1_degrees: f64,
-    /// θ₂; none for total internal reflection.
-    pub theta2_degrees: Option<f64>,
-    /// The angle of incidence beyond which all light is reflected; none where n₁ < n₂.
-    pub critical_angle_degrees: Option<f64>,
+    /// The indices of refraction on the side that the ray comes from and beyond, scaled alike.
+    indices: [f64; 2],
+    /// The ray runs exactly along the interface.
+    along: bool,
 }
 
 /// The mirrored direction r = dir − 2 (dir · m) m.
@@ -117,21 +109,16 @@ impl Incidence {
     fn meet(&self, n1: f64, n2: f64) -> Optics {
         let w = self.cos_squared_beyond(n1, n2);
         let cos_t = (w >= 0.0).then(|| w.sqrt().min(1.0));
-        let eta = n1 / n2;
-        let (r_s, r_p) = cos_t.map_or((1.0, 1.0), |cos_t| self.fresnel(n1, n2, w, cos_t));
         Optics {
             reflected: self.reflected(),
-            refracted: cos_t.map(|cos_t| self.refracted(eta, cos_t)),
+            refracted: cos_t.map(|cos_t| self.refracted(n1 / n2, cos_t)),
             cos_i: self.cos_i,
             sin_i: self.sin_i,
             w,
             cos_t,
-            r_s,
-            r_p,
-            reflectance: f64::midpoint(r_s, r_p),
-            theta1_degrees: self.sin_i.atan2(self.cos_i).to_degrees(),
-            theta2_degrees: cos_t.map(|cos_t| (eta * self.sin_i).atan2(cos_t).to_degrees()),
-            critical_angle_degrees: (n1 >= n2).then(|| (n2 / n1).asin().to_degrees()),
+            indices: [n1, n2],
+            // cos θ₁ can be too small to be told from 0 beside |dir| |m|; the scalar product itself cannot.
+            along: self.projection.to_f64() == 0.0,
         }
     }
 
@@ -154,23 +141,6 @@ impl Incidence {
         part.to_f64() / whole.to_f64()
     }
 
-    /// Fresnel's R_s and R_p.
-    fn fresnel(&self, n1: f64, n2: f64, w: f64, cos_t: f64) -> (f64, f64) {
-        // cos θ₁ can be too small to be told from 0 beside |dir| |m|; the scalar product itself cannot.
-        if self.projection.to_f64() == 0.0 {
-            return (1.0, 1.0);
-        }
-        if n1 == n2 {
-            return (0.0, 0.0);
-        }
-        let across = n1 * self.cos_i + n2 * cos_t;
-        let within = n2 * self.cos_i + n1 * cos_t;
-        let amplitude_s = ((n1 - n2) / across) * ((n1 + n2) / across);
-        let amplitude_p = ((n2 - n1) / within) * ((n2 + n1) / within) * (w - self.sin_i * self.sin_i);
-        let passes = |sum: f64| 4.0 * (n1 * self.cos_i / sum) * (n2 * cos_t / sum);
-        (share(amplitude_s, passes(across)), share(amplitude_p, passes(within)))
-    }
-
     /// dir − 2 (dir · m) m / |m|².
     fn reflected(&self) -> DVec3 {
         self.direction - self.normal * (2.0 * self.projection.to_f64() / self.normal.length_squared())
@@ -185,6 +155,51 @@ impl Incidence {
 }
 
 impl Optics {
+    /// θ₁ in degrees.
+    #[must_use]
+    pub fn theta1_degrees(&self) -> f64 {
+        self.sin_i.atan2(self.cos_i).to_degrees()
+    }
+
+    /// θ₂ in degrees; none for total internal reflection.
+    #[must_use]
+    pub fn theta2_degrees(&self) -> Option<f64> {
+        let [n1, n2] = self.indices;
+        self.cos_t.map(|cos_t| (n1 / n2 * self.sin_i).atan2(cos_t).to_degrees())
+    }
+
+    /// The angle of incidence in degrees beyond which all light is reflected; none where n₁ < n₂.
+    #[must_use]
+    pub fn critical_angle_degrees(&self) -> Option<f64> {
+        let [n1, n2] = self.indices;
+        (n1 >= n2).then(|| (n2 / n1).asin().to_degrees())
+    }
+
+    /// Fresnel's R_s and R_p: the reflectance of light that swings across the plane of incidence, and in it.
+    #[must_use]
+    pub fn fresnel(&self) -> [f64; 2] {
+        let (Some(cos_t), [n1, n2]) = (self.cos_t, self.indices) else { return [1.0, 1.0] };
+        if self.along {
+            return [1.0, 1.0];
+        }
+        if n1 == n2 {
+            return [0.0, 0.0];
+        }
+        let across = n1 * self.cos_i + n2 * cos_t;
+        let within = n2 * self.cos_i + n1 * cos_t;
+        let amplitude_s = ((n1 - n2) / across) * ((n1 + n2) / across);
+        let amplitude_p = ((n2 - n1) / within) * ((n2 + n1) / within) * (self.w - self.sin_i * self.sin_i);
+        let passes = |sum: f64| 4.0 * (n1 * self.cos_i / sum) * (n2 * cos_t / sum);
+        [share(amplitude_s, passes(across)), share(amplitude_p, passes(within))]
+    }
+
+    /// Reflectance of unpolarised light: the mean of the two.
+    #[must_use]
+    pub fn reflectance(&self) -> f64 {
+        let [r_s, r_p] = self.fresnel();
+        f64::midpoint(r_s, r_p)
+    }
+
     /// The answer where there is nothing to work with.
     fn mirror(direction: DVec3) -> Self {
         Self {
@@ -194,12 +209,8 @@ impl Optics {
             sin_i: 1.0,
             w: -1.0,
             cos_t: None,
-            r_s: 1.0,
-            r_p: 1.0,
-            reflectance: 1.0,
-            theta1_degrees: 90.0,
-            theta2_degrees: None,
-            critical_angle_degrees: None,
+            indices: [1.0, f64::INFINITY],
+            along: true,
         }
     }
 }

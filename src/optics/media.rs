@@ -1,5 +1,7 @@
 //! Which transparent objects a ray is inside, and which of them it travels in (§ 6.4.1).
 
+use smallvec::SmallVec;
+
 /// Objects kept without a visit to the allocator. Fewer would send a fishbowl with fish there; more would make every
 /// ray larger to copy.
 const INLINE: usize = 4;
@@ -14,11 +16,9 @@ pub enum Policy {
 }
 
 /// The transparent objects that a ray is inside, in the order in which it entered them.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct MediaStack {
-    inline: [usize; INLINE],
-    length: usize,
-    more: Vec<usize>,
+    objects: SmallVec<[usize; INLINE]>,
 }
 
 impl MediaStack {
@@ -33,65 +33,45 @@ impl MediaStack {
         if self.contains(object) {
             return;
         }
-        if self.length < INLINE {
-            self.inline[self.length] = object;
-        } else {
-            self.more.push(object);
-        }
-        self.length += 1;
+        self.objects.push(object);
     }
 
     /// The ray comes out of an object. Leaving one that was never entered changes nothing.
     pub fn leave(&mut self, object: usize) {
-        let Some(place) = self.iter().position(|inside| inside == object) else { return };
-        if place >= INLINE {
-            self.more.remove(place - INLINE);
-        } else {
-            self.inline.copy_within(place + 1..INLINE, place);
-            if !self.more.is_empty() {
-                self.inline[INLINE - 1] = self.more.remove(0);
-            }
-        }
-        self.length -= 1;
+        self.objects.retain(|inside| *inside != object);
     }
 
     /// Whether the ray is inside the object.
     #[must_use]
     pub fn contains(&self, object: usize) -> bool {
-        self.iter().any(|inside| inside == object)
+        self.objects.contains(&object)
     }
 
     /// Whether the ray is outside everything.
     #[must_use]
     pub fn is_empty(&self) -> bool {
-        self.length == 0
+        self.objects.is_empty()
     }
 
     /// Whether objects overlap here: the ray is inside two or more.
     #[must_use]
     pub fn overlap(&self) -> bool {
-        self.length > 1
+        self.objects.len() > 1
     }
 
     /// The objects, in the order of entering.
     pub fn iter(&self) -> impl Iterator<Item = usize> {
-        self.inline[..self.length.min(INLINE)].iter().chain(&self.more).copied()
+        self.objects.iter().copied()
     }
 
     /// The object that the ray travels in; none outside everything.
     #[must_use]
     pub fn current(&self, policy: Policy, priority: impl Fn(usize) -> i32) -> Option<usize> {
         match policy {
-            Policy::MostRecent => self.iter().last(),
+            Policy::MostRecent => self.objects.last().copied(),
             // Of several largest, `max_by_key` gives the last.
             Policy::Priority => self.iter().max_by_key(|&object| priority(object)),
         }
-    }
-}
-
-impl PartialEq for MediaStack {
-    fn eq(&self, other: &Self) -> bool {
-        self.iter().eq(other.iter())
     }
 }
 

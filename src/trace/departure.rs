@@ -78,6 +78,9 @@ impl Departure {
         list: &IntervalList,
         list_from: impl FnOnce(DVec3) -> IntervalList,
     ) -> Ahead {
+        if solid.is_convex() && self.sense == Sense::Enter && !list.starts_inside() && !list.is_empty() {
+            return Ahead::behind(0, list);
+        }
         let first = self.behind_start(solid, [origin, direction], list);
         if self.is_for_good(solid) {
             return Ahead { departed: first.departed, ..Ahead::default() };
@@ -104,10 +107,7 @@ impl Departure {
             .filter(|&k| all[k].1 == self.sense && is_start(&all[k].0))
             .min_by(|&a, &b| all[a].0.t.abs().total_cmp(&all[b].0.t.abs()));
         match start {
-            Some(start) => {
-                let (departed, boundaries) = (Some(all[start].0), all[start + 1..].into());
-                Ahead { departed, boundaries, endless: is_endless(list), moved: None }
-            }
+            Some(start) => Ahead::behind(start, list),
             None => Ahead::of(list),
         }
     }
@@ -126,11 +126,18 @@ impl Departure {
 }
 
 impl Ahead {
+    /// All boundaries behind the one that was left.
+    fn behind(start: usize, list: &IntervalList) -> Self {
+        let all = list.boundaries();
+        let (departed, boundaries) = (Some(all[start].0), all[start + 1..].into());
+        Self { departed, boundaries, endless: list.ends_inside(), moved: None }
+    }
+
     /// All boundaries in front of the start of a ray that did not start on the object.
     #[must_use]
     pub fn of(list: &IntervalList) -> Self {
         let boundaries = list.boundaries().into_iter().filter(|(boundary, _)| boundary.t > 0.0).collect();
-        Self { departed: None, boundaries, endless: is_endless(list), moved: None }
+        Self { departed: None, boundaries, endless: list.ends_inside(), moved: None }
     }
 
     /// Whether the ray is inside the object where it starts.
@@ -161,9 +168,4 @@ impl Ahead {
             .into_iter()
             .chain(entered.map(|(boundary, _)| (boundary.t, boundary.leaf)))
     }
-}
-
-/// Whether the object goes on without end.
-fn is_endless(list: &IntervalList) -> bool {
-    list.intervals.last().is_some_and(|interval| interval.leave.is_none())
 }

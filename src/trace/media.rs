@@ -14,10 +14,17 @@ pub(super) struct MediaCrossing {
     pub before: Option<usize>,
     /// The object that it would travel in behind the boundary.
     pub after: Option<usize>,
-    /// What it would be inside of behind the boundary.
-    pub media_after: MediaStack,
+    /// What it would be inside of behind the boundary, where that is not what it was inside of before.
+    changed: Option<MediaStack>,
     /// The boundary lies inside a medium that wins over it: the ray passes as if it were not there.
     pub hidden: bool,
+}
+
+impl MediaCrossing {
+    /// What the ray would be inside of behind the boundary.
+    pub fn media_after(&self, ray: &Ray) -> MediaStack {
+        self.changed.as_ref().unwrap_or(&ray.media).clone()
+    }
 }
 
 impl Tracer<'_> {
@@ -25,7 +32,7 @@ impl Tracer<'_> {
     pub(super) fn media_around(&self, eye: DVec3, direction: DVec3) -> MediaStack {
         let holding_eye = |&object: &usize| {
             let list = self.scene.objects[object].solid.inside::<f64>(eye, direction, &mut NullRecorder);
-            let interval = list.intervals.into_iter().find(|interval| {
+            let interval = list.intervals().find(|interval| {
                 interval.enter.is_none_or(|enter| enter.t <= 0.0) && interval.leave.is_none_or(|leave| leave.t > 0.0)
             })?;
             Some((interval.enter.map_or(f64::NEG_INFINITY, |enter| enter.t), object))
@@ -44,17 +51,17 @@ impl Tracer<'_> {
     /// The media before and behind the surface, by the scene's policy.
     pub(super) fn cross_media(&self, ray: &Ray, surface: &Surface, recorder: &mut impl Recorder) -> MediaCrossing {
         let before = self.current_medium(&ray.media);
-        let mut media_after = ray.media.clone();
         let bounds_a_medium = self.is_transparent(surface.object) && surface.sense != Sense::Touch;
         if !bounds_a_medium {
-            return MediaCrossing { before, after: before, media_after, hidden: false };
+            return MediaCrossing { before, after: before, changed: None, hidden: false };
         }
+        let mut media_after = ray.media.clone();
         match surface.sense {
             Sense::Enter => media_after.enter(surface.object),
             Sense::Leave | Sense::Touch => media_after.leave(surface.object),
         }
         let after = self.current_medium(&media_after);
-        let crossing = MediaCrossing { before, after, media_after, hidden: before == after };
+        let crossing = MediaCrossing { before, after, changed: Some(media_after), hidden: before == after };
         recorder.note(|| self.describe_crossing(ray, surface, &crossing));
         crossing
     }
@@ -83,7 +90,7 @@ impl Tracer<'_> {
     }
 
     fn describe_crossing(&self, ray: &Ray, surface: &Surface, crossing: &MediaCrossing) -> Entry {
-        let overlap = ray.media.overlap() || crossing.media_after.overlap();
+        let overlap = ray.media.overlap() || crossing.changed.as_ref().is_some_and(MediaStack::overlap);
         let interpenetration = overlap && self.scene.media == MediaPolicy::Forbid;
         let decided = match self.scene.media {
             MediaPolicy::Forbid if overlap => {

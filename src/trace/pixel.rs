@@ -17,7 +17,7 @@ pub(super) fn trace_pixel_with(tracer: &Tracer, x: u32, y: u32, recorder: &mut i
     let scene = tracer.scene;
     recorder.begin();
     let ray = build_ray(tracer, x, y, recorder);
-    let colour = tracer.trace(ray.clone(), recorder);
+    let colour = tracer.trace(&ray, recorder);
     place_colour(&ray, colour, recorder);
     let (width, height) = (scene.image.width, scene.image.height);
     recorder.end(|| Entry::new(What::Pixel { x, y, width, height }));
@@ -37,7 +37,8 @@ pub fn record_pixel(scene: &Scene, x: u32, y: u32) -> RayTree {
 pub fn record_ray(scene: &Scene, origin: DVec3, direction: DVec3) -> RayTree {
     let mut recorder = TreeRecorder::new();
     recorder.begin();
-    Tracer::new(scene).trace(Ray::camera(origin, direction), &mut recorder);
+    let tracer = Tracer::new(scene);
+    tracer.trace(&tracer.camera_ray(origin, direction), &mut recorder);
     let (origin, direction) = (origin.to_array(), direction.to_array());
     recorder.end(|| Entry::new(What::LooseRay { origin, direction }));
     recorder.finish()
@@ -48,7 +49,7 @@ fn build_ray(tracer: &Tracer, x: u32, y: u32, recorder: &mut impl Recorder) -> R
     let (camera, image) = (&tracer.scene.camera, tracer.scene.image);
     let place = camera.place(image, f64::from(x) + 0.5, f64::from(y) + 0.5);
     let direction = camera.direction_through(place);
-    let ray = Ray { place: Some(place), ..Ray::camera(camera.eye, direction) };
+    let ray = Ray { place: Some(place), ..tracer.camera_ray(camera.eye, direction) };
     step(&ray, 1, recorder, |recorder| {
         recorder.note(|| {
             let (across, down) = (f64::from(x) + 0.5, f64::from(y) + 0.5);

@@ -36,7 +36,7 @@ pub struct Ray {
 pub(super) const MOST_RAYS: u32 = 1 << 16;
 
 impl Ray {
-    /// A ray from the eye.
+    /// A ray from the eye, in air.
     #[must_use]
     pub fn camera(origin: DVec3, direction: DVec3) -> Self {
         let (departure, media, place) = (None, MediaStack::default(), None);
@@ -122,24 +122,27 @@ impl<'a> Tracer<'a> {
     }
 
     /// The colour that comes back along the ray: steps 2 to 5 of § 6.1, for camera rays and for spawned ones alike.
-    pub fn trace<R: Recorder>(&self, mut ray: Ray, recorder: &mut R) -> Rgb {
+    pub fn trace<R: Recorder>(&self, ray: &Ray, recorder: &mut R) -> Rgb {
         recorder.count(Counter::Ray(ray.kind));
         let closest = if R::RECORDING {
-            let found = step(&ray, 2, recorder, |recorder| self.find_all_intersections(&ray, recorder));
-            step(&ray, 3, recorder, |recorder| self.find_closest_in_front(&found, recorder))
+            let found = step(ray, 2, recorder, |recorder| self.find_all_intersections(ray, recorder));
+            step(ray, 3, recorder, |recorder| self.find_closest_in_front(&found, recorder))
         } else {
-            self.nearest(&ray, recorder)
+            self.nearest(ray, recorder)
         };
-        if ray.kind == RayKind::Camera {
-            ray.media = self.media_around(ray.origin, ray.direction);
-        }
-        let surface = step(&ray, 4, recorder, |recorder| {
-            closest.as_ref().map(|closest| self.compute_hit_point(&ray, closest, recorder))
+        let surface = step(ray, 4, recorder, |recorder| {
+            closest.as_ref().map(|closest| self.compute_hit_point(ray, closest, recorder))
         });
-        step(&ray, 5, recorder, |recorder| match &surface {
-            Some(surface) => self.find_colour(&ray, surface, recorder),
+        step(ray, 5, recorder, |recorder| match &surface {
+            Some(surface) => self.find_colour(ray, surface, recorder),
             None => self.see_background(recorder),
         })
+    }
+
+    /// A ray from the eye, in the media that the eye is inside.
+    #[must_use]
+    pub fn camera_ray(&self, origin: DVec3, direction: DVec3) -> Ray {
+        Ray { media: self.media_around(origin, direction), ..Ray::camera(origin, direction) }
     }
 
     /// The ray, ready to be tested against the boxes of all objects.

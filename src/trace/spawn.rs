@@ -50,7 +50,7 @@ impl Tracer<'_> {
             components.reflected = self.spawn(ray, surface, offspring, recorder);
         }
         if let Some(direction) = refracted {
-            let (kind, media) = (RayKind::Refracted, crossing.media_after.clone());
+            let (kind, media) = (RayKind::Refracted, crossing.media_after(ray));
             let offspring = Offspring { kind, direction, share: material.transparency, media, budget };
             components.transmitted = self.spawn(ray, surface, offspring, recorder);
         }
@@ -64,7 +64,7 @@ impl Tracer<'_> {
         crossing: &MediaCrossing,
         recorder: &mut R,
     ) -> Rgb {
-        let (kind, media) = (RayKind::Refracted, crossing.media_after.clone());
+        let (kind, media) = (RayKind::Refracted, crossing.media_after(ray));
         let budget = budget_for_each(ray, 1);
         self.spawn(ray, surface, Offspring { kind, direction: ray.direction, share: 1.0, media, budget }, recorder)
     }
@@ -95,7 +95,7 @@ impl Tracer<'_> {
             return Rgb::ZERO;
         }
         recorder.begin();
-        let colour = self.trace(ray.clone(), recorder) * share;
+        let colour = self.trace(&ray, recorder) * share;
         recorder.end(|| self.describe_ray(&ray));
         colour
     }

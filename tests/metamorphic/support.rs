@@ -18,7 +18,7 @@ pub fn compile(solid: &Value) -> Solid {
 pub fn spans(solid: &Solid, (origin, direction): (DVec3, DVec3)) -> Vec<[End; 2]> {
     let end = |boundary: Option<Boundary>, missing: f64| boundary.map_or((missing, 0.0), |b| (b.t, b.error));
     let list = solid.inside::<f64>(origin, direction, &mut NullRecorder);
-    list.intervals.iter().map(|i| [end(i.enter, f64::NEG_INFINITY), end(i.leave, f64::INFINITY)]).collect()
+    list.intervals().map(|i| [end(i.enter, f64::NEG_INFINITY), end(i.leave, f64::INFINITY)]).collect()
 }
 
 /// Whether two ends may be the same place: no further apart than both errors and a rounding allow.

@@ -91,7 +91,7 @@ fn hit(solid: &Solid, origin: DVec3, direction: DVec3, boundary: &Boundary, kind
 
 fn inside(list: &IntervalList) -> Vec<[Option<f64>; 2]> {
     let end = |boundary: Option<Boundary>| boundary.map(|boundary| boundary.t);
-    list.intervals.iter().map(|interval| [end(interval.enter), end(interval.leave)]).collect()
+    list.intervals().map(|interval| [end(interval.enter), end(interval.leave)]).collect()
 }
 
 fn interface(direction: DVec3, normal: DVec3, n1: f64, n2: f64) -> Answer {
@@ -101,7 +101,7 @@ fn interface(direction: DVec3, normal: DVec3, n1: f64, n2: f64) -> Answer {
         refracted: optics.refracted.map(|refracted| refracted.to_array()),
         cos_i: optics.cos_i,
         cos_t: optics.cos_t,
-        reflectance: optics.reflectance,
-        critical_angle_degrees: optics.critical_angle_degrees,
+        reflectance: optics.reflectance(),
+        critical_angle_degrees: optics.critical_angle_degrees(),
     })
 }

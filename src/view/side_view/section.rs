@@ -105,8 +105,8 @@ impl Sweep<'_> {
         let [low, high] = [self.canvas.low[0], self.canvas.high[0]];
         let (origin, direction) = (self.plane.world([0.0, y]), self.plane.across / self.plane.scale);
         let list = self.solid.inside::<f64>(origin, direction, &mut NullRecorder);
-        let mut runs = Vec::with_capacity(list.intervals.len());
-        for interval in &list.intervals {
+        let mut runs = Vec::with_capacity(list.intervals().len());
+        for interval in list.intervals() {
             let end = |boundary: Option<Boundary>, cut: f64| match boundary {
                 Some(b) if low < b.t && b.t < high => (b.t, Some((b.leaf, b.part))),
                 Some(b) => (b.t.clamp(low, high), None),
