@@ -3,6 +3,7 @@
 mod alone;
 mod double_double;
 mod elementary;
+mod pair;
 mod quadratic;
 mod range;
 mod real;
@@ -13,6 +14,7 @@ mod wide_map;
 pub use alone::Alone;
 pub use double_double::DoubleDouble;
 pub use elementary::{exp, ln};
+pub use pair::Pair;
 pub use quadratic::Quadratic;
 pub use range::Range;
 pub use real::{Real, cross, dot, scale_to_unit};

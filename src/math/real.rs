@@ -186,12 +186,14 @@ pub fn cross<A: Real>(a: [A; 3], b: [A; 3]) -> [A; 3] {
 #[must_use]
 #[inline]
 pub fn scale_to_unit(v: [f64; 3]) -> f64 {
-    let largest = v[0].abs().max(v[1].abs()).max(v[2].abs());
-    if !largest.is_finite() || largest == 0.0 {
-        return 1.0;
-    }
+    // One instruction, for nothing is asked about NaN.
+    let larger = |a: f64, b: f64| if a > b { a } else { b };
+    let largest = larger(larger(v[0].abs(), v[1].abs()), v[2].abs());
     // The exponents of a number and of its reciprocal add up to twice the bias. The two ends of the range, subnormals among
     // them, have no normal reciprocal.
-    let exponent = (largest.to_bits() >> 52) & 0x7ff;
-    f64::from_bits((2046 - exponent).clamp(1, 2046) << 52)
+    match largest.to_bits() >> 52 {
+        0x7ff => 1.0,
+        _ if largest == 0.0 => 1.0,
+        exponent => f64::from_bits((2046 - exponent).max(1) << 52),
+    }
 }

@@ -38,17 +38,46 @@ impl Boundaries for Option<Root> {
 impl Boundaries for Option<[Root; 2]> {
     #[inline]
     fn append(self, first: Sense, t_per_tau: f64, certificate: Certificate, crossings: &mut Vec<Crossing>) {
-        let Some([near, far]) = self else { return };
-        let (mut enter, mut leave) =
-            (crossing(near, t_per_tau, first, certificate), crossing(far, t_per_tau, opposite(first), certificate));
-        leave.t = if leave.t < enter.t { enter.t } else { leave.t };
-        if enter.t <= leave.t {
-            let room = 0.5 * (leave.t - enter.t);
-            enter.error = smaller(enter.error, room);
-            leave.error = smaller(leave.error, room);
-            crossings.extend_from_slice(&[enter, leave]);
+        let ends = self.and_then(|roots| stretch(roots, first, t_per_tau, certificate));
+        if let Some(ends) = ends {
+            crossings.extend_from_slice(&ends);
         }
     }
+}
+
+/// The two ends of a stretch, if they are numbers.
+#[inline]
+fn stretch([near, far]: [Root; 2], first: Sense, t_per_tau: f64, certificate: Certificate) -> Option<[Crossing; 2]> {
+    let mut enter = crossing(near, t_per_tau, first, certificate);
+    let mut leave = crossing(far, t_per_tau, opposite(first), certificate);
+    leave.t = if leave.t < enter.t { enter.t } else { leave.t };
+    let room = 0.5 * (leave.t - enter.t);
+    enter.error = smaller(enter.error, room);
+    leave.error = smaller(leave.error, room);
+    (enter.t <= leave.t).then_some([enter, leave])
+}
+
+/// Appends the two ends of a stretch to the crossings of a solid, which begin at `start`.
+#[inline]
+pub(super) fn append_stretch(
+    roots: [Root; 2],
+    start: usize,
+    certificate: Certificate,
+    t_per_tau: f64,
+    crossings: &mut Vec<Crossing>,
+) {
+    let Some([mut enter, leave]) = stretch(roots, Sense::Enter, t_per_tau, certificate) else { return };
+    if let Some(before) = crossings[start..].last_mut() {
+        if enter.t <= before.t {
+            // No gap is left between the two stretches.
+            *before = Crossing { t: if leave.t < before.t { before.t } else { leave.t }, ..leave };
+            return;
+        }
+        let room = 0.5 * (enter.t - before.t);
+        before.error = smaller(before.error, room);
+        enter.error = smaller(enter.error, room);
+    }
+    crossings.extend_from_slice(&[enter, leave]);
 }
 
 /// A few roots without a heap.
@@ -62,11 +91,6 @@ impl<const N: usize> Roots<N> {
     /// None yet.
     pub fn new() -> Self {
         Self { items: [Root::default(); N], count: 0 }
-    }
-
-    /// Turns their order round.
-    pub fn reverse(&mut self) {
-        self.items[..self.count].reverse();
     }
 
     /// Adds one; more than there is room for are not kept.

@@ -16,8 +16,9 @@
 //! **Ray equation** For each plane m·p = m·spot: t = m·(spot − S) / m·c, entering where m·c < 0. The ray is inside from
 //! the latest entering to the earliest leaving time.
 //!
-//! **Accuracy** Two roundings a plane, so 2u relative in t, at any distance. Rays through edges and corners decide by the
-//! order of nearly equal times; see the header of `planes.rs`.
+//! **Accuracy** Two roundings a plane, so 2u relative in t, at any distance. A hit is certain where the point halfway between
+//! the two times is surely inside, a miss where one face is surely entered after another was left. Rays through edges and
+//! corners leave both open, and decide by the order of nearly equal times; see the header of `planes.rs`.
 //!
 //! **Degenerate cases** A ray in a face runs inside the closed cube and has its two hits on other faces. A ray that only
 //! touches an edge or a corner has none.
@@ -28,7 +29,7 @@
 use super::boundary::{Boundaries, Root};
 use super::solver::{self, Attempt, Call, Solver};
 use super::{Bounds, Crossing, GenericRay, HalfSpace, Part, Primitive, plane_table};
-use crate::math::Real;
+use crate::math::{Pair, Real};
 use crate::record::{Candidate, Entry, Recorder};
 use glam::{DVec2, DVec3};
 
@@ -64,9 +65,6 @@ pub(super) struct Passage<A> {
     enter: Slab<A>,
     leave: Slab<A>,
     hits: bool,
-    /// Bound on the error of the time between the two.
-    doubt: f64,
-    beside: Beside,
 }
 
 /// The latest entering or earliest leaving time, and the axis across which it passes a face.
@@ -74,6 +72,121 @@ pub(super) struct Passage<A> {
 struct Slab<A> {
     axis: usize,
     time: A,
+}
+
+impl<A: Real> Slab<A> {
+    /// How far the time moves when S and c are off by one part in one.
+    #[inline]
+    fn moved(self, ray: &GenericRay<A>) -> f64 {
+        let way = ray.origin_size[self.axis] + self.time.abs().to_f64() * ray.direction_size[self.axis];
+        way / ray.direction[self.axis].abs().to_f64()
+    }
+
+    /// The face through which the ray goes there.
+    #[inline]
+    fn root(self, ray: &GenericRay<A>, enters: bool) -> Root {
+        let tau = self.time.to_f64();
+        let is_positive = (ray.direction[self.axis] < A::ZERO) == enters;
+        let part = Cube::FACES[self.axis][usize::from(is_positive)];
+        Root { tau, error: ray.error_of_time(self.moved(ray), tau), part }
+    }
+}
+
+impl<A: Real> Passage<A> {
+    /// From the last time at which the ray enters a pair of faces to the first at which it leaves one.
+    #[inline]
+    fn new(ray: &GenericRay<A>) -> Self {
+        let [x, y, z] = [times(ray, 0), times(ray, 1), times(ray, 2)];
+        let (enter, leave) = (x[0].max(y[0]).max(z[0]), x[1].min(y[1]).min(z[1]));
+        let axis = |is_on: [bool; 2]| match is_on {
+            [true, _] => 0,
+            [_, true] => 1,
+            _ => 2,
+        };
+        let enter = Slab { axis: axis([x[0] >= enter, y[0] >= enter]), time: enter };
+        let leave = Slab { axis: axis([x[1] <= leave, y[1] <= leave]), time: leave };
+        Self { enter, leave, hits: enter.time < leave.time }
+    }
+
+    /// Whether no rounding error could turn a hit into a miss, or a miss into a hit.
+    ///
+    /// A hit is beyond doubt where the point halfway between the two times is. Whatever the ray does not enter or leave first
+    /// need not be known for that, nor for a miss.
+    #[inline]
+    fn is_beyond_doubt(&self, ray: &GenericRay<A>) -> bool {
+        let Self { enter, leave, hits } = *self;
+        let doubt = 4.0 * A::UNIT_ROUNDOFF;
+        if hits {
+            let middle = A::from_f64(0.5) * (enter.time + leave.time);
+            let sway = ray.sway(middle.to_f64());
+            ray.at(middle).iter().zip(sway).all(|(x, sway)| x.abs().to_f64() + doubt * sway < 1.0)
+        } else {
+            let moves = |slab: Slab<A>| is_moving(ray, slab.axis);
+            let doubt = doubt * (enter.moved(ray) + leave.moved(ray));
+            moves(enter) && moves(leave) && (enter.time - leave.time).to_f64() > doubt
+        }
+    }
+}
+
+/// When the ray enters and leaves the pair of faces across an axis; where it does not move these may be anything.
+#[inline]
+fn times<A: Real>(ray: &GenericRay<A>, axis: usize) -> [A; 2] {
+    let [a, b] = ((Pair([-A::ONE, A::ONE]) - ray.origin[axis]) / ray.direction[axis]).0;
+    [a.min(b), a.max(b)]
+}
+
+/// Whether c is more than rounding along an axis.
+#[inline]
+fn is_moving<A: Real>(ray: &GenericRay<A>, axis: usize) -> bool {
+    ray.direction[axis].abs().to_f64() > 4.0 * A::UNIT_ROUNDOFF * ray.direction_size[axis]
+}
+
+/// All pairs of faces, with the errors of all times: for rays of which a closer look has to be taken.
+struct CloseLook<A> {
+    passage: Passage<A>,
+    decided: bool,
+    /// Bound on the error of the time between the two.
+    doubt: f64,
+    beside: Beside,
+}
+
+impl<A: Real> CloseLook<A> {
+    #[cold]
+    fn new(ray: &GenericRay<A>) -> Self {
+        let infinity = A::from_f64(f64::INFINITY);
+        let (mut enter, mut leave) = (Slab { axis: 0, time: -infinity }, Slab { axis: 0, time: infinity });
+        // The first and the last time at which it may enter last, and those at which it may leave first.
+        let (mut in_low, mut in_high, mut out_low, mut out_high) = (-infinity, -infinity, infinity, infinity);
+        let (mut beside, mut cancels) = (Beside::NONE, false);
+        for axis in 0..3 {
+            let (s, c) = (ray.origin[axis], ray.direction[axis]);
+            if !is_moving(ray, axis) {
+                let room = (A::ONE - s.abs()).to_f64();
+                beside = beside.or_closer(axis, room, 4.0 * A::UNIT_ROUNDOFF * ray.origin_size[axis]);
+                // What is zero only by cancellation is not known to be zero.
+                cancels |= ray.direction_size[axis] > 0.0;
+                continue;
+            }
+            let [near, far] = times(ray, axis);
+            let farthest = near.abs().max(far.abs()).to_f64();
+            let moved = ray.origin_size[axis] + farthest * ray.direction_size[axis];
+            let error = A::from_f64(4.0 * A::UNIT_ROUNDOFF * moved) / c.abs();
+            if near > enter.time {
+                enter = Slab { axis, time: near };
+            }
+            if far < leave.time {
+                leave = Slab { axis, time: far };
+            }
+            (in_low, in_high) = (in_low.max(near - error), in_high.max(near + error));
+            (out_low, out_high) = (out_low.min(far - error), out_high.min(far + error));
+        }
+        let surely = in_high < out_low;
+        let between = if A::DOUBT_IS_ZERO { surely } else { enter.time < leave.time };
+        let decided = (surely || in_low > out_high) && beside.is_beyond_doubt() && !cancels;
+        let hits = between && (beside.room >= 0.0 || A::DOUBT_IS_ZERO && !beside.is_beyond_doubt());
+        let doubt = (in_high - enter.time + (leave.time - out_low)).to_f64();
+        Self { passage: Passage { enter, leave, hits }, decided, doubt, beside }
+    }
 }
 
 /// 1 − |S| across the axis along which the ray does not move, where that is smallest.
@@ -97,29 +210,9 @@ impl Beside {
     }
 }
 
-/// Whether the ray leaves one pair of faces before it enters another, by more than the errors of both times.
-#[inline]
-fn surely_misses<A: Real>(times: &[[A; 3]; 3]) -> bool {
-    let enter = times.iter().map(|&[near, _, error]| near - error);
-    let leave = times.iter().map(|&[_, far, error]| far + error);
-    enter.fold(A::from_f64(f64::NEG_INFINITY), A::max) > leave.fold(A::from_f64(f64::INFINITY), A::min)
-}
-
 impl Cube {
     /// The face on the negative and on the positive side of each axis.
     const FACES: [[Part; 2]; 3] = [[3, 2], [1, 0], [5, 4]];
-
-    /// The face through which the ray goes in or out across an axis.
-    #[inline]
-    fn root<A: Real>(ray: &GenericRay<A>, axis: usize, enters: bool) -> Root {
-        let (s, c) = (ray.origin[axis], ray.direction[axis]);
-        let positive = (c < A::ZERO) == enters;
-        let face = if positive { A::ONE } else { -A::ONE };
-        let tau = ((face - s) / c).to_f64();
-        let moved = ray.origin_size[axis] + tau.abs() * ray.direction_size[axis];
-        let error = ray.error_of_time(moved / c.abs().to_f64(), tau);
-        Root { tau, error, part: Self::FACES[axis][usize::from(positive)] }
-    }
 }
 
 impl Solver for Cube {
@@ -127,57 +220,21 @@ impl Solver for Cube {
 
     #[inline]
     fn solve<A: Real>(&self, ray: &GenericRay<A>) -> Attempt<Passage<A>> {
-        let infinity = A::from_f64(f64::INFINITY);
-        let nowhere = [-infinity, infinity, A::ZERO];
-        let mut times = [nowhere; 3];
-        let (mut enter, mut leave) = (Slab { axis: 0, time: -infinity }, Slab { axis: 0, time: infinity });
-        // The latest time at which it may enter last, and the earliest at which it may leave first.
-        let (mut in_high, mut out_low) = (-infinity, infinity);
-        let (mut beside, mut cancels) = (Beside::NONE, false);
-        for (axis, slot) in times.iter_mut().enumerate() {
-            let (s, c) = (ray.origin[axis], ray.direction[axis]);
-            if c.abs().to_f64() <= 4.0 * A::UNIT_ROUNDOFF * ray.direction_size[axis] {
-                beside =
-                    beside.or_closer(axis, (A::ONE - s.abs()).to_f64(), 4.0 * A::UNIT_ROUNDOFF * ray.origin_size[axis]);
-                // What is zero only by cancellation is not known to be zero.
-                cancels |= ray.direction_size[axis] > 0.0;
-                continue;
-            }
-            let inverse = A::ONE / c;
-            let (middle, half) = (-(s * inverse), inverse.abs());
-            let farthest = (middle.abs() + half).to_f64();
-            let moved = ray.origin_size[axis] + farthest * ray.direction_size[axis];
-            let error = A::from_f64(4.0 * A::UNIT_ROUNDOFF * moved) * half;
-            let (near, far) = (middle - half, middle + half);
-            *slot = [near, far, error];
-            if near > enter.time {
-                enter = Slab { axis, time: near };
-            }
-            if far < leave.time {
-                leave = Slab { axis, time: far };
-            }
-            in_high = in_high.max(near + error);
-            out_low = out_low.min(far - error);
+        let passage = Passage::new(ray);
+        if passage.is_beyond_doubt(ray) {
+            return Attempt { found: passage, decided: true };
         }
-        let surely = in_high < out_low;
-        let between = if A::DOUBT_IS_ZERO { surely } else { enter.time < leave.time };
-        let decided = (surely || surely_misses(&times)) && beside.is_beyond_doubt() && !cancels;
-        let hits = between && (beside.room >= 0.0 || A::DOUBT_IS_ZERO && !beside.is_beyond_doubt());
-        let doubt = (in_high - enter.time + (leave.time - out_low)).to_f64();
-        Attempt { found: Passage { enter, leave, hits, doubt, beside }, decided }
+        let CloseLook { passage, decided, .. } = CloseLook::new(ray);
+        Attempt { found: passage, decided }
     }
 
-    fn closest_call<A: Real>(&self, ray: &GenericRay<A>, passage: &Passage<A>) -> Call {
-        let Passage { enter, leave, beside, .. } = passage;
-        let moved = |slab: &Slab<A>| {
-            let sway = ray.sway(slab.time.to_f64())[slab.axis];
-            f64::UNIT_ROUNDOFF * sway / ray.direction[slab.axis].abs().to_f64()
-        };
+    fn closest_call<A: Real>(&self, ray: &GenericRay<A>, _: &Passage<A>) -> Call {
+        let CloseLook { passage: Passage { enter, leave, .. }, doubt, beside, .. } = CloseLook::new(ray);
         let order = Call {
             question: "Does the ray enter the last face before it leaves the first?",
             value: (leave.time - enter.time).to_f64(),
-            doubt: passage.doubt,
-            input_doubt: moved(enter) + moved(leave),
+            doubt,
+            input_doubt: f64::UNIT_ROUNDOFF * (enter.moved(ray) + leave.moved(ray)),
             near: 0.5 * (enter.time + leave.time).to_f64(),
         };
         let side = Call {
@@ -192,8 +249,7 @@ impl Solver for Cube {
 
     #[inline]
     fn roots<A: Real>(&self, ray: &GenericRay<A>, passage: &Passage<A>) -> impl Boundaries {
-        let Passage { enter, leave, .. } = passage;
-        passage.hits.then(|| [Self::root(ray, enter.axis, true), Self::root(ray, leave.axis, false)])
+        passage.hits.then(|| [passage.enter.root(ray, true), passage.leave.root(ray, false)])
     }
 
     fn working<A: Real>(&self, ray: &GenericRay<A>, _: &Passage<A>) -> Vec<Entry> {

@@ -222,7 +222,8 @@ impl<'a, A: Real> GenericRay<'a, A> {
 #[inline]
 fn length([x, y, z]: [f64; 3]) -> f64 {
     const ROOT_3: f64 = 1.732_050_807_568_878;
-    let (sum, largest) = (x + y + z, x.max(y).max(z) * ROOT_3);
+    let larger = |a: f64, b: f64| if a > b { a } else { b };
+    let (sum, largest) = (x + y + z, larger(larger(x, y), z) * ROOT_3);
     if sum < largest { sum } else { largest }
 }
 

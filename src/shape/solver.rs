@@ -73,7 +73,7 @@ pub(super) trait Solver: Primitive + Sized {
     }
 
     /// The places where the ray crosses the surface, ascending.
-    fn roots<A: Real>(&self, ray: &GenericRay<A>, found: &Self::Found<A>) -> impl Boundaries;
+    fn roots<'a, A: Real>(&self, ray: &'a GenericRay<'a, A>, found: &'a Self::Found<A>) -> impl Boundaries;
 
     /// The working, as it is shown.
     fn working<A: Real>(&self, ray: &GenericRay<A>, found: &Self::Found<A>) -> Vec<Entry>;

@@ -16,7 +16,7 @@
 //!
 //! **Accuracy** The signs of G at its turning points tell how often the ray crosses the surface; each is compared with a bound
 //! on its rounding error. Where that leaves one open, a double root may hide, and all is worked out again with 32 digits;
-//! what these cannot tell from zero is a touch. The hit times come from Newton's method on F itself, which cancels less
+//! what these cannot tell from zero is a touch. The hit times come from Chebyshev's method on F itself, which cancels less
 //! than G. Thin tori (large d) and rays that touch set the bound.
 //!
 //! **Degenerate cases** Rays that touch from outside or from inside have no hit there. d = 1: the hole is one point, a ray
@@ -24,13 +24,13 @@
 //!
 //! **Source** Hill, Computer Graphics Using OpenGL, the generic torus; Yuksel, HPG 2022, for the roots.
 
-use super::boundary::{Boundaries, Roots};
+use super::boundary::{self, Boundaries};
 use super::solver::{self, Attempt, Call, Solver};
 use super::torus_quartic::{Line, Quartic, Turn, Turns};
 use super::torus_roots;
 use super::{Bounds, Crossing, GenericRay, Part, Primitive, outline, report};
 use crate::math::Real;
-use crate::record::{Candidate, Entry, Recorder, Sense, Value, What};
+use crate::record::{Candidate, Certificate, Entry, Recorder, Sense, Value, What};
 use glam::{DVec2, DVec3};
 use std::f64::consts::{FRAC_PI_4, TAU};
 
@@ -118,22 +118,25 @@ impl Solver for Torus {
             Found::Far(line) => self.distance_call(line),
             Found::Near(quartic, turns) => {
                 let call = |turn| Self::turn_call(ray, quartic, turns, turn);
-                let [lowest, rest @ ..] = turns.as_slice() else { return self.distance_call(&quartic.line) };
-                rest.iter().map(call).fold(call(lowest), Call::closer)
+                let [first, rest @ ..] = turns.as_slice() else { return self.distance_call(&quartic.line) };
+                rest.iter().map(call).fold(call(first), Call::closer)
             }
         }
     }
 
     #[inline]
-    fn roots<A: Real>(&self, ray: &GenericRay<A>, found: &Found<A>) -> impl Boundaries {
-        boundaries(ray, found)
+    fn roots<'a, A: Real>(&self, ray: &'a GenericRay<'a, A>, found: &'a Found<A>) -> impl Boundaries {
+        Stretches { ray, found }
     }
 
     fn working<A: Real>(&self, ray: &GenericRay<A>, found: &Found<A>) -> Vec<Entry> {
         let Found::Near(quartic, turns) = found else { return Vec::new() };
-        let roots = boundaries(ray, found);
-        let hidden = hidden_times(quartic, turns);
-        vec![self.entry(ray, quartic, roots.as_ref().iter().map(|root| root.tau).chain(hidden).collect())]
+        let mut roots = Vec::new();
+        turns.each_stretch(quartic.end, |stretch| {
+            roots.extend(torus_roots::crossings(ray, quartic, turns.slope, &stretch).map(|root| root.tau));
+        });
+        roots.extend(hidden_times(quartic, turns));
+        vec![self.entry(ray, quartic, roots)]
     }
 
     fn rejected<A: Real>(&self, ray: &GenericRay<A>, found: &Found<A>, _: &[Crossing]) -> Vec<Candidate> {
@@ -148,19 +151,22 @@ impl Solver for Torus {
     }
 }
 
-/// The places where the ray crosses the surface, τ ascending.
-#[inline]
-fn boundaries<A: Real>(ray: &GenericRay<A>, found: &Found<A>) -> Roots<4> {
-    let mut roots = Roots::<4>::new();
-    if let Found::Near(quartic, turns) = found {
-        turns.each_bracket(quartic.end, |bracket| {
-            roots.push(torus_roots::crossing(ray, quartic, turns.slope, &bracket));
+/// The stretches of the ray inside the torus, on their way to becoming crossings.
+struct Stretches<'a, A> {
+    ray: &'a GenericRay<'a, A>,
+    found: &'a Found<A>,
+}
+
+impl<A: Real> Boundaries for Stretches<'_, A> {
+    #[inline]
+    fn append(self, _first: Sense, t_per_tau: f64, certificate: Certificate, crossings: &mut Vec<Crossing>) {
+        let Found::Near(quartic, turns) = self.found else { return };
+        let start = crossings.len();
+        turns.each_stretch(quartic.end, |stretch| {
+            let roots = torus_roots::crossings(self.ray, quartic, turns.slope, &stretch);
+            boundary::append_stretch(roots, start, certificate, t_per_tau, crossings);
         });
-        if quartic.turned {
-            roots.reverse();
-        }
     }
-    roots
 }
 
 /// The roots of the quartic that are no boundaries, τ ascending.
@@ -249,7 +255,7 @@ impl Torus {
         let a = report::measured(line.a, 1.0 / scale / scale);
         let k = report::measured(quartic.k, scale * scale);
         let p = report::measured(quartic.half_p + quartic.half_p, scale * scale);
-        let q = number(if quartic.turned { -4.0 } else { 4.0 }) * quartic.quarter_q;
+        let q = number(4.0) * quartic.quarter_q;
         let q = report::measured(q, scale * scale * scale);
         let r = report::measured(quartic.r, scale * scale * scale * scale);
         for tau in &mut roots {
@@ -299,6 +305,12 @@ mod tests {
         Torus::new(d).unwrap()
     }
 
+    fn appended<A: Real>(ray: &GenericRay<A>, found: &Found<A>) -> Vec<Crossing> {
+        let mut crossings = Vec::new();
+        Stretches { ray, found }.append(Sense::Enter, ray.t_per_tau, Certificate::Certain, &mut crossings);
+        crossings
+    }
+
     fn times(d: f64, origin: [f64; 3], direction: [f64; 3]) -> Vec<f64> {
         hits(&torus(d), origin, direction).into_iter().map(|hit| hit.0).collect()
     }
@@ -328,6 +340,18 @@ mod tests {
         let found = times(2.0, [1.0, -5.0, 0.0], [0.0, 1.0, 0.0]);
         assert_eq!(found.len(), 2);
         assert!((found[0] - (5.0 - 8.0_f64.sqrt())).abs() < 1e-11);
+    }
+
+    #[test]
+    fn a_ray_that_just_leaves_into_the_hole_is_right_where_the_slope_turns() {
+        // At the height 0.28 the hole has the radius 1 − 0.96; its chord at x ends where y² = (0.04 − x) (0.04 + x).
+        for gap in [1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10] {
+            let found = times(1.0, [0.04 - gap, -1.0, 0.28], [0.0, 1.0, 0.0]);
+            let half = (gap * (0.08 - gap)).sqrt();
+            assert_eq!(found.len(), 4);
+            assert!((found[1] - (1.0 - half)).abs() < 1e-15 / half, "{gap}: {found:?}");
+            assert!((found[2] - (1.0 + half)).abs() < 1e-15 / half, "{gap}: {found:?}");
+        }
     }
 
     #[test]
@@ -432,11 +456,11 @@ mod tests {
             let ray = GenericRay::<f64>::new(origin, along);
             let (fast, sure) = (torus(d).solve(&ray), torus(d).solve(&ray.widen()));
             if fast.decided {
-                let fast_roots = boundaries(&ray, &fast.found).as_ref().to_vec();
-                let sure_roots = boundaries(&ray.widen(), &sure.found).as_ref().to_vec();
-                prop_assert_eq!(fast_roots.len(), sure_roots.len());
-                for (a, b) in fast_roots.iter().zip(&sure_roots) {
-                    prop_assert!((a.tau - b.tau).abs() <= a.error, "{:?} {:?}", a, b);
+                let fast_hits = appended(&ray, &fast.found);
+                let sure_hits = appended(&ray.widen(), &sure.found);
+                prop_assert_eq!(fast_hits.len(), sure_hits.len());
+                for (a, b) in fast_hits.iter().zip(&sure_hits) {
+                    prop_assert!((a.t - b.t).abs() <= a.error, "{:?} {:?}", a, b);
                 }
             }
         }

@@ -6,8 +6,8 @@
 //!
 //! G(δ) = (δ² + k)² − (2 d / c·c)² (α δ² + 2 β δ + γ) = δ⁴ + p δ² + q δ + r
 //!
-//! The ray is turned round where q is negative. Then G is lowest at −y, with y the one positive root of
-//! y³ + (p/2) y − q/4 = 0, and a ray with G(−y) > 0 misses. The other two turning points are those of a quadratic, for
+//! G is lowest at −y, with y the root of y³ + (p/2) y − q/4 = 0 that has the sign of q, the only such one, and a ray with
+//! G(−y) > 0 misses. The other two turning points are those of a quadratic, for
 //! −y can be divided out. Between neighbours G is monotone, so the signs at the turning points tell the crossings: inside
 //! is where G < 0, and the overlap of a spindle, where F and H both are negative, and so is their mean, δ² + k.
 //!
@@ -16,7 +16,7 @@
 //! is improved. What is known of y by iteration is thus checked by its residual.
 
 use super::GenericRay;
-use crate::math::{Real, dot, root_between};
+use crate::math::{Pair, Real, dot, root_between};
 
 /// Steps towards a turning point: each multiplies the number of right digits by four, so three do for 32 digits.
 const MOST_STEPS: u32 = 6;
@@ -70,23 +70,22 @@ pub(super) struct Turns<A> {
     pub sure: bool,
 }
 
-/// A stretch at one end of which the ray is inside the solid and at the other one outside.
-#[derive(Clone, Copy)]
-pub(super) struct Bracket<A> {
-    pub low: A,
-    pub high: A,
-    /// The end that lies inside.
-    pub inside: Turn<A>,
-    /// The direction from there to the crossing: −1 where the ray enters, 1 where it leaves.
-    pub outward: A,
+/// A stretch inside the solid, as far as the turning points tell of it.
+pub(super) struct Stretch<A> {
+    /// The first and the last turning point in it.
+    pub inside: Pair<A>,
+    /// G there.
+    pub value: Pair<A>,
+    /// The places before and after it that are known to be outside.
+    pub outside: Pair<A>,
 }
 
-/// δ⁴ + p δ² + q δ + r, with q ≥ 0.
+/// δ⁴ + p δ² + q δ + r.
+#[derive(Clone, Copy)]
 pub(super) struct Quartic<A> {
     pub line: Line<A>,
-    /// c, or −c where the ray is turned round.
+    /// c.
     pub course: [A; 3],
-    pub turned: bool,
     /// d.
     pub d: A,
     pub k: A,
@@ -116,19 +115,17 @@ impl<A: Real> Quartic<A> {
         let ratio_squared = ratio * ratio;
         let half = number(0.5) * ratio_squared;
         let beta = l_x * c_x + l_y * c_y;
-        let turned = beta > A::ZERO;
         // No term of G (c·c)² is above 25 ball⁴; its relative error is that of some 12 roundings. The distance of the exact
         // line from the computed one is at most 4 u sway, that of its foot from zero at most three times as much.
         let scale = per_a.to_f64();
         let terms = ball * ball * ball * (160.0 * line.sway + 1200.0 * ball);
         Self {
             line,
-            course: if turned { ray.direction.map(|x| -x) } else { ray.direction },
-            turned,
+            course: ray.direction,
             d,
             k,
             half_p: k - half * (c_x * c_x + c_y * c_y),
-            quarter_q: (half * beta).abs(),
+            quarter_q: A::ZERO - half * beta,
             r: k * k - ratio_squared * (l_x * l_x + l_y * l_y),
             end: ((number(ball * ball) - line.square) * per_a).sqrt(),
             doubt: A::UNIT_ROUNDOFF * terms * scale * scale,
@@ -139,15 +136,17 @@ impl<A: Real> Quartic<A> {
     /// Finds the turning points, to as many digits as it takes to know the signs of G there.
     #[inline]
     pub fn turns(&self) -> Turns<A> {
-        let y = self.improved(A::from_f64(rough_root(self.half_p.to_f64(), self.quarter_q.to_f64())));
+        let quarter_q = self.quarter_q.to_f64();
+        let y = rough_root(self.half_p.to_f64(), quarter_q.abs()).copysign(quarter_q);
+        let y = self.improved(A::from_f64(y));
         let turns = self.turns_from(y);
-        if turns.sure { turns } else { self.refined(y, turns) }
+        if turns.sure { turns } else { Self::refined(*self, y, turns) }
     }
 
     /// The turning points with ever more digits.
     #[cold]
     #[inline(never)]
-    fn refined(&self, mut y: A, mut turns: Turns<A>) -> Turns<A> {
+    fn refined(self, mut y: A, mut turns: Turns<A>) -> Turns<A> {
         for _ in 0..MOST_STEPS {
             if turns.sure || turns.doubt <= 2.0 * self.doubt {
                 break;
@@ -199,7 +198,9 @@ impl<A: Real> Quartic<A> {
         let (middle, half) = (A::from_f64(0.5) * y, discriminant.max(A::ZERO).sqrt());
         let (second, third) = (turn(middle - half), turn(middle + half));
         let sure = one.sure && [second, third].iter().all(|turn| turn.value.abs().to_f64() > doubt);
-        Turns { points: [lowest, second, third], count: 3, sure, ..one }
+        // −y lies on the other side of zero than y/2.
+        let points = if y < A::ZERO { [second, third, lowest] } else { [lowest, second, third] };
+        Turns { points, count: 3, sure, ..one }
     }
 
     #[inline]
@@ -243,7 +244,7 @@ impl<A: Real> Quartic<A> {
     /// τ, given δ.
     #[inline]
     pub fn tau(&self, delta: A) -> A {
-        if self.turned { self.line.foot - delta } else { self.line.foot + delta }
+        self.line.foot + delta
     }
 
     /// The roots of G between turning points on the inside, δ ascending: there the tube of a spindle overlaps itself.
@@ -273,22 +274,25 @@ impl<A: Real> Turns<A> {
         self.sure || A::DOUBT_IS_ZERO && self.as_slice().iter().all(|turn| turn.level != A::ZERO)
     }
 
-    /// Hands out the brackets of the crossings, δ ascending; at −`end` and `end` the ray is outside.
+    /// Hands out the stretches inside the solid, δ ascending; at −`end` and `end` the ray is outside.
     #[inline]
-    pub fn each_bracket(&self, end: A, mut crossing: impl FnMut(Bracket<A>)) {
-        let outside = |at| Turn { at, value: A::ONE, level: A::ONE };
-        let mut last = outside(-end);
-        for turn in self.as_slice().iter().copied().chain([outside(end)]) {
-            if turn.level == A::ZERO {
-                continue;
+    pub fn each_stretch(&self, end: A, mut found: impl FnMut(Stretch<A>)) {
+        let (mut before, mut inside) = (-end, None);
+        let last = Turn { at: end, value: A::ONE, level: A::ONE };
+        for turn in self.as_slice().iter().chain([&last]) {
+            if turn.level < A::ZERO {
+                let first = inside.map_or(turn, |[first, _]: [&Turn<A>; 2]| first);
+                inside = Some([first, turn]);
+            } else if turn.level > A::ZERO {
+                if let Some([first, last]) = inside.take() {
+                    found(Stretch {
+                        inside: Pair([first.at, last.at]),
+                        value: Pair([first.value, last.value]),
+                        outside: Pair([before, turn.at]),
+                    });
+                }
+                before = turn.at;
             }
-            let (low, high) = (last.at, turn.at);
-            match (last.level < A::ZERO, turn.level < A::ZERO) {
-                (false, true) => crossing(Bracket { low, high, inside: turn, outward: -A::ONE }),
-                (true, false) => crossing(Bracket { low, high, inside: last, outward: A::ONE }),
-                _ => {}
-            }
-            last = turn;
         }
     }
 }
