@@ -1,5 +1,6 @@
 //! The command line: one file for each command.
 
+mod export;
 mod failure;
 mod open;
 mod output;
@@ -25,6 +26,7 @@ Examples:
   rayscope open scenes/csg/bowl.json            open it on a scene of your own
   rayscope render csg/bowl -o bowl.png          render a picture
   rayscope trace csg/bowl --pixel 320,240       print everything that a pixel's ray did
+  rayscope export --povray csg/bowl             write a scene for POV-Ray
   rayscope scenes                               list the scenes that come with the program
   rayscope stability                            judge every solver by hits with 40 digits
 
@@ -51,6 +53,7 @@ enum Command {
     Render(render::Render),
     Trace(trace::Trace),
     Probe(probe::Probe),
+    Export(export::Export),
     Scenes(scenes::Scenes),
     Schema(schema::Schema),
     Stability(stability::Stability),
@@ -69,6 +72,7 @@ pub fn run() -> ExitCode {
         Some(Command::Render(render)) => render.run(),
         Some(Command::Trace(trace)) => trace.run(),
         Some(Command::Probe(probe)) => probe.run(),
+        Some(Command::Export(export)) => export.run(),
         Some(Command::Scenes(scenes)) => scenes.run(),
         Some(Command::Schema(schema)) => schema.run(),
         Some(Command::Stability(stability)) => stability.run(),
