@@ -1,5 +1,6 @@
 //! The command line: one file for each command.
 
+mod bench;
 mod export;
 mod failure;
 mod open;
@@ -28,6 +29,7 @@ Examples:
   rayscope trace csg/bowl --pixel 320,240       print everything that a pixel's ray did
   rayscope export --povray csg/bowl             write a scene for POV-Ray
   rayscope scenes                               list the scenes that come with the program
+  rayscope bench --peer povray                  time the benchmark scenes beside POV-Ray
   rayscope stability                            judge every solver by hits with 40 digits
 
 SCENE is a file, or the name of a scene that comes with the program, such as csg/bowl.
@@ -57,6 +59,7 @@ enum Command {
     Scenes(scenes::Scenes),
     Schema(schema::Schema),
     Stability(stability::Stability),
+    Bench(bench::Bench),
 }
 
 /// Runs the program on the arguments that it was started with.
@@ -76,6 +79,7 @@ pub fn run() -> ExitCode {
         Some(Command::Scenes(scenes)) => scenes.run(),
         Some(Command::Schema(schema)) => schema.run(),
         Some(Command::Stability(stability)) => stability.run(),
+        Some(Command::Bench(bench)) => bench.run(),
     };
     outcome.map_or_else(failure::Failure::report, |()| ExitCode::SUCCESS)
 }
