@@ -36,7 +36,9 @@ fn every_embedded_scene_can_be_said_or_is_refused_for_its_media() {
 
 #[test]
 fn numbers_keep_all_of_their_digits() {
-    let sdl = solid(r#"{"shape": "sphere", "material": "m", "transform": [{"translate": [0.1, 1e-300, 12345678901234.567]}]}"#);
+    let sdl = solid(
+        r#"{"shape": "sphere", "material": "m", "transform": [{"translate": [0.1, 1e-300, 12345678901234.567]}]}"#,
+    );
     let expected = "matrix <1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.1, 1e-300, 12345678901234.566>";
     assert!(sdl.as_ref().unwrap().contains(expected), "{sdl:?}");
 }
@@ -65,7 +67,8 @@ fn the_axis_of_a_torus_is_turned_from_y_to_z() {
 fn what_cannot_be_said_is_named_with_its_place() {
     let spindle = solid(r#"{"shape": "torus", "d": 0.5, "name": "ring", "material": "m"}"#).unwrap_err();
     assert!(spindle.starts_with("object `ring`: `ring`: d is 0.5; below 1 the tube overlaps itself"), "{spindle}");
-    let coloured = r#"{"materials": {"gold": {"specular": [1, 0.8, 0.3]}}, "objects": [{"shape": "cube", "material": "gold"}]}"#;
+    let coloured =
+        r#"{"materials": {"gold": {"specular": [1, 0.8, 0.3]}}, "objects": [{"shape": "cube", "material": "gold"}]}"#;
     assert!(exported(coloured).unwrap_err().starts_with("material `gold`: its highlights are coloured"));
 }
 

@@ -82,6 +82,11 @@ impl SceneArgument {
 }
 
 impl SizeArguments {
+    /// So many columns, and rows in proportion.
+    pub const fn of_width(width: Option<u32>) -> Self {
+        Self { width, height: None }
+    }
+
     /// The size asked for, in proportion to the scene's where only one side is given.
     pub fn apply(self, scene: Image) -> Result<Image, Failure> {
         let (width, height) = match (self.width, self.height) {

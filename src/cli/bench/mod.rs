@@ -50,8 +50,9 @@ pub struct Bench {
     /// Turns, of which the median counts
     #[arg(long, value_name = "N", default_value_t = 3, value_parser = clap::value_parser!(u16).range(1..=999))]
     repeats: u16,
-    #[command(flatten)]
-    size: SizeArguments,
+    /// Columns of the pictures, in place of the scenes'; the rows follow in proportion
+    #[arg(long, value_name = "PIXELS", value_parser = clap::value_parser!(u32).range(1..=4_096))]
+    width: Option<u32>,
     /// How to write the result
     #[arg(long, value_enum, default_value_t = Format::Table)]
     format: Format,
@@ -83,7 +84,7 @@ struct Watch {
 impl Bench {
     /// Times and writes.
     pub fn run(&self) -> Result<(), Failure> {
-        let scenes = read(&self.scenes, &self.scene, self.size)?;
+        let scenes = read(&self.scenes, &self.scene, SizeArguments::of_width(self.width))?;
         let output = Output::create(self.output.as_deref())?;
         let povray = match self.peer {
             Peer::Povray => PovRay::find()?,
