@@ -15,7 +15,7 @@ use crate::scene::Scene;
 use crate::trace::{Progress, render};
 use clap::{Args, ValueEnum};
 use cpu_time::cpu_time;
-use povray::{Bounding, PovRay};
+use povray::{Bounding, installed_version};
 use scenes::{PeerScene, read};
 use std::io::{self, Write};
 use std::path::PathBuf;
@@ -87,7 +87,7 @@ impl Bench {
         let scenes = read(&self.scenes, &self.scene, SizeArguments::of_width(self.width))?;
         let output = Output::create(self.output.as_deref())?;
         let povray = match self.peer {
-            Peer::Povray => PovRay::find()?,
+            Peer::Povray => installed_version()?,
         };
         if povray.is_none() {
             let _ = writeln!(io::stderr(), "{}", povray::HOW_TO_GET_IT);
@@ -102,8 +102,8 @@ impl Bench {
         let turns = if povray.is_some() { 3 } else { 1 } * usize::from(self.repeats);
         let total = scenes.iter().map(|scene| pixels(&scene.scene) * turns).sum();
         let done = || watch.progress.done() + watch.theirs.load(Ordering::Relaxed);
-        let rows = with_bar(total, done, || self.rows(&scenes, povray.as_ref(), &watch))?;
-        let text = self.format.write(&rows, povray.as_ref().map(PovRay::version))?;
+        let rows = with_bar(total, done, || self.rows(&scenes, povray.is_some(), &watch))?;
+        let text = self.format.write(&rows, povray.as_deref())?;
         if watch.progress.cancelled() && rows.is_empty() {
             return Err(Failure::interrupted("interrupted before a scene was finished; nothing was written"));
         }
@@ -115,7 +115,7 @@ impl Bench {
     }
 
     /// The scenes that were finished.
-    fn rows(&self, scenes: &[PeerScene], povray: Option<&PovRay>, watch: &Watch) -> Result<Vec<Row>, Failure> {
+    fn rows(&self, scenes: &[PeerScene], povray: bool, watch: &Watch) -> Result<Vec<Row>, Failure> {
         let mut rows = Vec::new();
         for scene in scenes {
             match self.row(scene, povray, watch)? {
@@ -127,14 +127,16 @@ impl Bench {
     }
 
     /// One scene, or none if it was interrupted.
-    fn row(&self, scene: &PeerScene, povray: Option<&PovRay>, watch: &Watch) -> Result<Option<Row>, Failure> {
+    fn row(&self, scene: &PeerScene, povray: bool, watch: &Watch) -> Result<Option<Row>, Failure> {
         let (mut ours, mut by_default, mut by_tree) = (Vec::new(), Vec::new(), Vec::new());
         let (mut rays, mut agreement) = (0, None);
         for _ in 0..self.repeats {
             let mut theirs = None;
             for (bounding, times) in [(Bounding::Default, &mut by_default), (Bounding::Tree, &mut by_tree)] {
-                let Some(povray) = povray else { break };
-                let Some(drawn) = povray.draw(scene, bounding, &watch.progress)? else { return Ok(None) };
+                if !povray {
+                    break;
+                }
+                let Some(drawn) = povray::draw(scene, bounding, &watch.progress)? else { return Ok(None) };
                 watch.theirs.fetch_add(pixels(&scene.scene), Ordering::Relaxed);
                 times.push(drawn.time);
                 theirs = Some(drawn.picture);

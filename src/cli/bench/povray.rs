@@ -18,6 +18,9 @@ pub const HOW_TO_GET_IT: &str = "rayscope: there is no program `povray`, so only
 /// How often it is asked whether it has ended. Its own time is not measured by this clock.
 const LOOK: Duration = Duration::from_millis(20);
 
+/// How much of what it said is shown where it failed: its complaint is in the last few lines.
+const LAST_LINES: usize = 4;
+
 /// How POV-Ray finds the objects that a ray may hit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Bounding {
@@ -25,11 +28,6 @@ pub enum Bounding {
     Default,
     /// `+BM2`: its BSP tree.
     Tree,
-}
-
-/// POV-Ray, found.
-pub struct PovRay {
-    version: String,
 }
 
 /// What it drew.
@@ -40,44 +38,36 @@ pub struct Drawn {
     pub picture: Vec<u8>,
 }
 
-impl PovRay {
-    /// Looks for the program; none if there is none.
-    pub fn find() -> Result<Option<Self>, Failure> {
-        match Command::new("povray").arg("--version").stdin(Stdio::null()).output() {
-            Ok(output) => {
-                let said = [output.stdout, output.stderr].concat();
-                let version = version(&String::from_utf8_lossy(&said)).unwrap_or("of an unknown version").to_owned();
-                Ok(Some(Self { version }))
-            }
-            Err(error) if error.kind() == ErrorKind::NotFound => Ok(None),
-            Err(error) => Err(cannot_run(&error)),
+/// The version of the program; none if it is not installed.
+pub fn installed_version() -> Result<Option<String>, Failure> {
+    match Command::new("povray").arg("--version").stdin(Stdio::null()).output() {
+        Ok(output) => {
+            let said = [output.stdout, output.stderr].concat();
+            Ok(Some(version(&String::from_utf8_lossy(&said)).unwrap_or("of an unknown version").to_owned()))
         }
+        Err(error) if error.kind() == ErrorKind::NotFound => Ok(None),
+        Err(error) => Err(cannot_run(&error)),
     }
+}
 
-    /// Its version.
-    pub fn version(&self) -> &str {
-        &self.version
+/// Draws the scene on one thread; none if it was interrupted.
+pub fn draw(scene: &PeerScene, bounding: Bounding, progress: &Progress) -> Result<Option<Drawn>, Failure> {
+    let folder = tempfile::tempdir().map_err(|error| cannot_run(&error))?;
+    let (picture, log) = (folder.path().join("picture.png"), folder.path().join("log"));
+    let child = start(scene, bounding, &picture, &log).map_err(|error| cannot_run(&error))?;
+    let Some(status) = wait(child, progress).map_err(|error| cannot_run(&error))? else { return Ok(None) };
+    let said = fs::read(&log).map(|bytes| String::from_utf8_lossy(&bytes).into_owned()).unwrap_or_default();
+    let failed = |why: &str| {
+        let said: Vec<&str> = said.lines().filter(|line| !line.trim().is_empty()).collect();
+        let end = said[said.len().saturating_sub(LAST_LINES)..].join("\n  ");
+        Failure::refused(format!("povray {why} {}; it ended with\n  {end}", scene.sdl.display()))
+    };
+    if !status.success() {
+        return Err(failed("did not draw"));
     }
-
-    /// Draws the scene on one thread; none if it was interrupted.
-    pub fn draw(&self, scene: &PeerScene, bounding: Bounding, progress: &Progress) -> Result<Option<Drawn>, Failure> {
-        let folder = tempfile::tempdir().map_err(|error| cannot_run(&error))?;
-        let (picture, log) = (folder.path().join("picture.png"), folder.path().join("log"));
-        let child = start(scene, bounding, &picture, &log).map_err(|error| cannot_run(&error))?;
-        let Some(status) = wait(child, progress).map_err(|error| cannot_run(&error))? else { return Ok(None) };
-        let said = fs::read(&log).map(|bytes| String::from_utf8_lossy(&bytes).into_owned()).unwrap_or_default();
-        let failed = |why: &str| {
-            let end: Vec<&str> = said.lines().rev().filter(|line| !line.trim().is_empty()).take(4).collect();
-            let end: String = end.iter().rev().map(|line| format!("\n  {line}")).collect();
-            Failure::refused(format!("povray {why} {}; it ended with{end}", scene.sdl.display()))
-        };
-        if !status.success() {
-            return Err(failed("did not draw"));
-        }
-        let time = trace_time(&said).ok_or_else(|| failed("did not say how long it traced"))?;
-        let picture = image::open(&picture).map_err(|error| failed(&format!("left no picture ({error}) of")))?;
-        Ok(Some(Drawn { time, picture: picture.to_rgb8().into_raw() }))
-    }
+    let time = trace_time(&said).ok_or_else(|| failed("did not say how long it traced"))?;
+    let picture = image::open(&picture).map_err(|error| failed(&format!("left no picture ({error}) of")))?;
+    Ok(Some(Drawn { time, picture: picture.to_rgb8().into_raw() }))
 }
 
 fn start(scene: &PeerScene, bounding: Bounding, picture: &Path, log: &Path) -> io::Result<Child> {
