@@ -121,12 +121,13 @@ fn operands_are_folded_from_the_left() {
     let text = r#"{"materials": {"m": {}}, "objects": [{"shape": "difference", "name": "abc", "material": "m",
         "of": [{"shape": "cube"}, {"shape": "sphere"}, {"shape": "cone"}]}]}"#;
     let scene = load(text, "fold.json").unwrap();
-    let Node::Pair { name, left, right, .. } = &scene.objects[0].solid.root else { panic!("the root is not a pair") };
+    let solid = &scene.objects[0].solid;
+    let Node::Pair { name, left, right, .. } = solid.root() else { panic!("the root is not a pair") };
     assert_eq!(name, "abc");
-    assert!(matches!(**right, Node::Leaf { leaf: 2, .. }));
-    let Node::Pair { name, left, right, .. } = &**left else { panic!("the left side is not a pair") };
+    assert!(matches!(solid.nodes[*right], Node::Leaf { leaf: 2, .. }));
+    let Node::Pair { name, left, right, .. } = &solid.nodes[*left] else { panic!("the left side is not a pair") };
     assert_eq!(name, "difference");
-    assert!(matches!((&**left, &**right), (Node::Leaf { leaf: 0, .. }, Node::Leaf { leaf: 1, .. })));
+    assert!(matches!((&solid.nodes[*left], &solid.nodes[*right]), (Node::Leaf { leaf: 0, .. }, Node::Leaf { leaf: 1, .. })));
 }
 
 #[test]

@@ -7,6 +7,7 @@
 
 use super::{Boundary, Interval, IntervalList};
 use crate::record::{Operator, Sense};
+use smallvec::SmallVec;
 
 impl Operator {
     /// Whether a point is in the result, given whether it is in the operands.
@@ -27,6 +28,9 @@ struct Toggle {
     sense: Sense,
     from_right: bool,
 }
+
+/// Boundaries of both operands, with room for those of two convex solids.
+type Toggles = SmallVec<[Toggle; 4]>;
 
 /// Boundaries of two operands that cannot be told apart, though their times differ.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -49,7 +53,7 @@ pub(super) fn combine(
 ) -> IntervalList {
     let toggles = merged(left, right);
     let mut inside = [starts_inside(left), starts_inside(right)];
-    let mut result = Vec::new();
+    let mut result = IntervalList::default();
     let mut enter = None;
     let mut is_open = operator.holds(inside[0], inside[1]);
     let mut rest = toggles.as_slice();
@@ -68,16 +72,16 @@ pub(super) fn combine(
             if now_open {
                 enter = boundary;
             } else {
-                result.push(Interval { enter: enter.take(), leave: boundary });
+                result.intervals.push(Interval { enter: enter.take(), leave: boundary });
             }
             is_open = now_open;
         }
         rest = after;
     }
     if is_open {
-        result.push(Interval { enter, leave: None });
+        result.intervals.push(Interval { enter, leave: None });
     }
-    IntervalList { intervals: result, touches: Vec::new() }
+    result
 }
 
 /// Whether the ray begins, infinitely far back, inside.
@@ -86,19 +90,20 @@ fn starts_inside(list: &IntervalList) -> bool {
 }
 
 /// The boundaries of both operands, ascending; the left one first where they are equal.
-fn merged(left: &IntervalList, right: &IntervalList) -> Vec<Toggle> {
-    let of = |list: &IntervalList, from_right| {
-        list.intervals
-            .iter()
-            .flat_map(|i| [i.enter.map(|b| (b, Sense::Enter)), i.leave.map(|b| (b, Sense::Leave))])
-            .flatten()
-            .map(move |(boundary, sense)| Toggle { boundary, sense, from_right })
-            .collect::<Vec<_>>()
-    };
-    let mut toggles = of(left, false);
-    toggles.extend(of(right, true));
-    toggles.sort_by(|a, b| a.boundary.t.total_cmp(&b.boundary.t));
-    toggles
+fn merged(left: &IntervalList, right: &IntervalList) -> Toggles {
+    let of = |from_right| move |(boundary, sense)| Toggle { boundary, sense, from_right };
+    let (mut lefts, mut rights) = (left.ends().map(of(false)).peekable(), right.ends().map(of(true)).peekable());
+    let mut toggles = Toggles::new();
+    loop {
+        let right_is_next = match (lefts.peek(), rights.peek()) {
+            (Some(left), Some(right)) => right.boundary.t < left.boundary.t,
+            (left, _) => left.is_none(),
+        };
+        match if right_is_next { rights.next() } else { lefts.next() } {
+            Some(toggle) => toggles.push(toggle),
+            None => return toggles,
+        }
+    }
 }
 
 /// What is in doubt about toggles that are crossed together: nothing where they coincide to the last digit.
@@ -151,7 +156,7 @@ mod tests {
     fn list(leaf: usize, spans: &[(f64, f64)]) -> IntervalList {
         let end = |t: f64| t.is_finite().then(|| boundary(t, leaf));
         let intervals = spans.iter().map(|&(a, b)| Interval { enter: end(a), leave: end(b) }).collect();
-        IntervalList { intervals, touches: Vec::new() }
+        IntervalList { intervals, ..IntervalList::default() }
     }
 
     fn spans(list: &IntervalList) -> Vec<(f64, f64)> {

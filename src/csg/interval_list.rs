@@ -2,6 +2,7 @@
 
 use crate::record::{Certificate, Sense};
 use crate::shape::Part;
+use smallvec::{SmallVec, smallvec};
 
 /// A place where a ray crosses the boundary of a solid.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -33,12 +34,21 @@ pub struct Interval {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct IntervalList {
     /// The inside intervals.
-    pub intervals: Vec<Interval>,
+    pub intervals: SmallVec<[Interval; 2]>,
     /// Hits with a square, ascending.
-    pub touches: Vec<Boundary>,
+    pub touches: SmallVec<[Boundary; 1]>,
 }
 
+/// Boundaries with what they do to the ray. Few rays meet more than four of one object; those go without the allocator.
+pub type Boundaries = SmallVec<[(Boundary, Sense); 4]>;
+
 impl IntervalList {
+    /// The whole line.
+    #[must_use]
+    pub fn everything() -> Self {
+        Self { intervals: smallvec![Interval { enter: None, leave: None }], touches: SmallVec::new() }
+    }
+
     /// Whether the ray misses.
     #[must_use]
     pub fn is_empty(&self) -> bool {
@@ -55,15 +65,18 @@ impl IntervalList {
 
     /// Every boundary with what it does to the ray, ascending in t.
     #[must_use]
-    pub fn boundaries(&self) -> Vec<(Boundary, Sense)> {
-        let mut all: Vec<_> = self
-            .intervals
-            .iter()
-            .flat_map(|interval| [interval.enter.map(|b| (b, Sense::Enter)), interval.leave.map(|b| (b, Sense::Leave))])
-            .flatten()
-            .chain(self.touches.iter().map(|&b| (b, Sense::Touch)))
-            .collect();
-        all.sort_by(|(a, _), (b, _)| a.t.total_cmp(&b.t));
+    pub fn boundaries(&self) -> Boundaries {
+        let mut all: Boundaries = self.ends().collect();
+        if !self.touches.is_empty() {
+            all.extend(self.touches.iter().map(|&boundary| (boundary, Sense::Touch)));
+            all.sort_by(|(a, _), (b, _)| a.t.total_cmp(&b.t));
+        }
         all
+    }
+
+    /// The ends of the intervals, ascending in t.
+    pub fn ends(&self) -> impl Iterator<Item = (Boundary, Sense)> {
+        let both = |i: &Interval| [i.enter.map(|b| (b, Sense::Enter)), i.leave.map(|b| (b, Sense::Leave))];
+        self.intervals.iter().flat_map(both).flatten()
     }
 }

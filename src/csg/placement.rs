@@ -17,6 +17,7 @@ pub struct Placement {
     wide_generic_from_world: WideMap,
     /// The sizes of the inverse's numbers, for error bounds: what cancels in the inverse transform.
     sizes: DAffine3,
+    skew: f64,
 }
 
 impl Placement {
@@ -27,6 +28,7 @@ impl Placement {
         normals: DMat3::IDENTITY,
         wide_generic_from_world: WideMap::IDENTITY,
         sizes: DAffine3::IDENTITY,
+        skew: 1.0,
     };
 
     /// Places a primitive by `world_from_generic`.
@@ -43,16 +45,25 @@ impl Placement {
         if determinant == 0.0 || !generic_from_world.is_finite() {
             return Err(format!("the transform is singular (its determinant is {determinant}), so it has no inverse"));
         }
+        let sizes = DAffine3 {
+            matrix3: generic_from_world.matrix3.abs(),
+            translation: generic_from_world.translation.abs(),
+        };
         Ok(Self {
             world_from_generic,
             generic_from_world,
             normals: generic_from_world.matrix3.transpose(),
             wide_generic_from_world,
-            sizes: DAffine3 {
-                matrix3: generic_from_world.matrix3.abs(),
-                translation: generic_from_world.translation.abs(),
-            },
+            sizes,
+            skew: ((world_from_generic.matrix3.abs() * sizes.matrix3) * DVec3::ONE).max_element(),
         })
+    }
+
+    /// ‖ |M| |M⁻¹| ‖∞: how many times larger an error of a coordinate can be after the way into generic coordinates and
+    /// back. 1 where axes are only stretched, at most 3 for rotations, large for solids that are thin across a slope.
+    #[must_use]
+    pub const fn skew(&self) -> f64 {
+        self.skew
     }
 
     /// The world ray (`origin`, `direction`) in generic coordinates; t is shared because c is not normalised.

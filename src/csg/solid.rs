@@ -2,7 +2,7 @@
 
 use super::combine::{Tie, combine};
 use super::report;
-use super::{Boundary, Extent, Interval, IntervalList, Placement};
+use super::{Boundary, Course, Extent, Interval, IntervalList, Placement};
 use crate::math::{DoubleDouble, Real};
 use crate::record::{Counter, NullRecorder, Operator, Recorder, Sense};
 use crate::shape::{Crossing, Primitive, Shape};
@@ -53,10 +53,10 @@ pub enum Node {
         name: String,
         /// OP.
         operator: Operator,
-        /// The left solid.
-        left: Box<Node>,
-        /// The right solid.
-        right: Box<Node>,
+        /// The left solid: an index into [`Solid::nodes`].
+        left: usize,
+        /// The right solid, likewise.
+        right: usize,
         /// The box that holds the result, in world space.
         extent: Extent,
     },
@@ -71,14 +71,16 @@ impl Node {
         }
     }
 
-    fn shift_leaves(&mut self, by: usize) {
-        match self {
-            Self::Leaf { leaf, .. } => *leaf += by,
+    /// The same node behind so many other leaves and nodes.
+    fn shifted(mut self, leaves: usize, nodes: usize) -> Self {
+        match &mut self {
+            Self::Leaf { leaf, .. } => *leaf += leaves,
             Self::Pair { left, right, .. } => {
-                left.shift_leaves(by);
-                right.shift_leaves(by);
+                *left += nodes;
+                *right += nodes;
             }
         }
+        self
     }
 }
 
@@ -87,8 +89,10 @@ impl Node {
 pub struct Solid {
     /// The primitives, from left to right.
     pub leaves: Vec<Leaf>,
-    /// The tree over them.
-    pub root: Node,
+    /// The tree over them, operands before what they are combined to; the root is the last.
+    pub nodes: Vec<Node>,
+    /// The largest [`Placement::skew`] of the primitives.
+    pub skew: f64,
 }
 
 impl Solid {
@@ -96,24 +100,46 @@ impl Solid {
     #[must_use]
     pub fn leaf(leaf: Leaf) -> Self {
         let extent = Extent::of_primitive(leaf.shape.bounds(), &leaf.placement);
-        Self { leaves: vec![leaf], root: Node::Leaf { leaf: 0, extent } }
+        let skew = leaf.placement.skew();
+        Self { leaves: vec![leaf], nodes: vec![Node::Leaf { leaf: 0, extent }], skew }
     }
 
     /// `left OP right`; the leaves of `right` are numbered after those of `left`.
     #[must_use]
-    pub fn pair(name: impl Into<String>, operator: Operator, left: Self, mut right: Self) -> Self {
-        right.root.shift_leaves(left.leaves.len());
-        let extent = Extent::of_pair(operator, left.root.extent(), right.root.extent());
-        let (left_root, right_root) = (Box::new(left.root), Box::new(right.root));
-        let root = Node::Pair { name: name.into(), operator, left: left_root, right: right_root, extent };
-        let leaves = left.leaves.into_iter().chain(right.leaves).collect();
-        Self { leaves, root }
+    pub fn pair(name: impl Into<String>, operator: Operator, left: Self, right: Self) -> Self {
+        let extent = Extent::of_pair(operator, left.extent(), right.extent());
+        let (leaves_before, nodes_before) = (left.leaves.len(), left.nodes.len());
+        let skew = left.skew.max(right.skew);
+        let (mut leaves, mut nodes) = (left.leaves, left.nodes);
+        leaves.extend(right.leaves);
+        nodes.extend(right.nodes.into_iter().map(|node| node.shifted(leaves_before, nodes_before)));
+        let (left, right) = (nodes_before - 1, nodes.len() - 1);
+        nodes.push(Node::Pair { name: name.into(), operator, left, right, extent });
+        Self { leaves, nodes, skew }
+    }
+
+    /// The node that is the whole solid.
+    #[must_use]
+    pub fn root(&self) -> &Node {
+        &self.nodes[self.nodes.len() - 1]
     }
 
     /// The box that holds it, in world space.
     #[must_use]
-    pub const fn extent(&self) -> Extent {
-        self.root.extent()
+    pub fn extent(&self) -> Extent {
+        *self.root_extent()
+    }
+
+    fn root_extent(&self) -> &Extent {
+        match self.root() {
+            Node::Leaf { extent, .. } | Node::Pair { extent, .. } => extent,
+        }
+    }
+
+    /// Whether a line meets it in one interval at most.
+    #[must_use]
+    pub fn is_convex(&self) -> bool {
+        matches!(self.root(), Node::Leaf { leaf, .. } if self.leaves[*leaf].shape.is_convex())
     }
 
     /// The inside intervals of the ray origin + direction t, for **all** real t.
@@ -121,11 +147,31 @@ impl Solid {
     /// Where the arithmetic cannot tell boundaries of two operands apart whose times differ, all is asked again with 32
     /// digits. What these cannot tell apart either, the ray's own numbers leave open: it is crossed together.
     pub fn inside<A: Real>(&self, origin: DVec3, direction: DVec3, recorder: &mut impl Recorder) -> IntervalList {
-        let query = Query { solid: self, origin, direction, tie: Cell::new(None) };
-        if A::FINEST || matches!(self.root, Node::Leaf { .. }) {
-            return query.node::<A, _>(&self.root, recorder);
+        self.inside_along::<A>(&Course::new(origin, direction, self.skew), recorder)
+    }
+
+    /// The same for a ray that is ready to be tested against extents.
+    pub fn inside_along<A: Real>(&self, course: &Course, recorder: &mut impl Recorder) -> IntervalList {
+        Query::new(self, course).whole::<A, _>(recorder)
+    }
+
+    /// The same for a ray that is known to meet the solid's extent.
+    pub fn inside_within(&self, course: &Course, recorder: &mut impl Recorder) -> IntervalList {
+        Query { is_met: true, ..Query::new(self, course) }.whole::<f64, _>(recorder)
+    }
+
+    /// The first boundary with t > 0, for rays that need no more; `is_met` where it is known that the ray meets the extent.
+    pub fn first_in_front(
+        &self,
+        course: &Course,
+        is_met: bool,
+        recorder: &mut impl Recorder,
+    ) -> Option<(Boundary, Sense)> {
+        let query = Query { is_met, ..Query::new(self, course) };
+        match self.root() {
+            Node::Leaf { leaf, extent } => query.first_crossing(*leaf, extent, recorder),
+            Node::Pair { .. } => query.whole::<f64, _>(recorder).ends().find(|(boundary, _)| boundary.t > 0.0),
         }
-        query.adaptively::<A, _>(recorder)
     }
 
     /// The unit normal at a boundary, in world space, out of the whole solid.
@@ -141,16 +187,30 @@ impl Solid {
 /// One ray's way through the tree.
 struct Query<'a> {
     solid: &'a Solid,
-    origin: DVec3,
-    direction: DVec3,
+    course: &'a Course,
+    /// The ray is known to meet the extent of the whole solid.
+    is_met: bool,
     /// Boundaries of two operands that could not be told apart: the first that were met.
     tie: Cell<Option<Tie>>,
 }
 
-impl Query<'_> {
+impl<'a> Query<'a> {
+    const fn new(solid: &'a Solid, course: &'a Course) -> Self {
+        Self { solid, course, is_met: false, tie: Cell::new(None) }
+    }
+
+    /// The whole tree.
+    fn whole<A: Real, R: Recorder>(&self, recorder: &mut R) -> IntervalList {
+        if A::FINEST || matches!(self.solid.root(), Node::Leaf { .. }) {
+            self.node::<A, _>(self.solid.root(), recorder)
+        } else {
+            self.adaptively::<A, _>(recorder)
+        }
+    }
+
     /// The whole tree, in the fast arithmetic if that is enough.
     fn adaptively<A: Real, R: Recorder>(&self, recorder: &mut R) -> IntervalList {
-        let root = &self.solid.root;
+        let root = self.solid.root();
         // What is told is the way that decided; so it has to be known first which one that is.
         let first =
             if R::RECORDING { self.node::<A, _>(root, &mut NullRecorder) } else { self.node::<A, R>(root, recorder) };
@@ -170,7 +230,8 @@ impl Query<'_> {
             Node::Leaf { leaf, extent } => self.leaf::<A, R>(*leaf, extent, recorder),
             Node::Pair { name, operator, left, right, extent } => {
                 recorder.begin();
-                let (lists, early_out) = self.pair::<A, R>(name, *operator, [left, right], extent, recorder);
+                let operands = [*left, *right].map(|index| &self.solid.nodes[index]);
+                let (lists, early_out) = self.pair::<A, R>(name, *operator, operands, extent, recorder);
                 recorder.end(|| report::combine(self.solid, name, *operator, &lists, early_out));
                 lists.combined
             }
@@ -230,22 +291,41 @@ impl Query<'_> {
         recorder: &mut R,
     ) -> IntervalList {
         recorder.count(Counter::ShapeTest(leaf.shape.index()));
-        recorder.note(|| report::transform(leaf, self.origin, self.direction));
-        let ray = leaf.placement.generic_ray::<A>(self.origin, self.direction);
+        recorder.note(|| report::transform(leaf, self.course.origin, self.course.direction));
+        let ray = leaf.placement.generic_ray::<A>(self.course.origin, self.course.direction);
         let mut crossings = Vec::with_capacity(4);
         leaf.shape.crossings(&ray, recorder, &mut crossings);
         if crossings.is_empty() && extent.is_unbounded() && leaf.shape.implicit(ray.point(A::ZERO)) < 0.0 {
-            let everything = Interval { enter: None, leave: None };
-            return IntervalList { intervals: vec![everything], touches: Vec::new() };
+            return IntervalList::everything();
         }
         paired(index, &crossings)
     }
 
+    /// The first crossing of a primitive with t > 0: what is first in its interval list too.
+    fn first_crossing(
+        &self,
+        index: usize,
+        extent: &Extent,
+        recorder: &mut impl Recorder,
+    ) -> Option<(Boundary, Sense)> {
+        let leaf = &self.solid.leaves[index];
+        if !self.meets(&leaf.name, extent, recorder) {
+            return None;
+        }
+        recorder.count(Counter::ShapeTest(leaf.shape.index()));
+        let ray = leaf.placement.generic_ray::<f64>(self.course.origin, self.course.direction);
+        let mut crossings = Vec::with_capacity(4);
+        leaf.shape.crossings(&ray, recorder, &mut crossings);
+        let first = crossings.iter().find(|crossing| crossing.t > 0.0)?;
+        Some((boundary(index, first), first.sense))
+    }
+
     fn meets(&self, name: &str, extent: &Extent, recorder: &mut impl Recorder) -> bool {
-        if extent.is_unbounded() {
+        let is_root = self.is_met && std::ptr::eq(extent, self.solid.root_extent());
+        if is_root || !self.course.boxes || extent.is_unbounded() {
             return true;
         }
-        let inside = extent.inside(self.origin, self.direction);
+        let inside = extent.inside(self.course);
         recorder.count(Counter::ExtentTest);
         if inside.is_none() {
             recorder.count(Counter::ExtentMiss);
@@ -280,9 +360,9 @@ fn early_out(operator: Operator, left: &IntervalList, right: &IntervalList) -> O
 fn paired(leaf: usize, crossings: &[Crossing]) -> IntervalList {
     let mut list = IntervalList::default();
     let mut enter = None;
-    for &Crossing { t, error, sense, part, certificate } in crossings {
-        let boundary = Boundary { t, error, leaf, part, flipped: false, certificate };
-        match sense {
+    for crossing in crossings {
+        let boundary = boundary(leaf, crossing);
+        match crossing.sense {
             Sense::Enter => enter = Some(boundary),
             Sense::Leave => list.intervals.push(Interval { enter: enter.take(), leave: Some(boundary) }),
             Sense::Touch => list.touches.push(boundary),
@@ -292,4 +372,10 @@ fn paired(leaf: usize, crossings: &[Crossing]) -> IntervalList {
         list.intervals.push(Interval { enter, leave: None });
     }
     list
+}
+
+/// A leaf's crossing as a boundary of the solid.
+const fn boundary(leaf: usize, crossing: &Crossing) -> Boundary {
+    let Crossing { t, error, part, certificate, .. } = *crossing;
+    Boundary { t, error, leaf, part, flipped: false, certificate }
 }

@@ -70,6 +70,19 @@ pub enum What {
         /// The times between which the ray is in the box; none if it misses.
         inside: Option<[f64; 2]>,
     },
+    /// A test of a ray from the eye against the rectangle of the picture that holds an object.
+    Projection {
+        /// The object's name.
+        of: String,
+        /// The left and the top edge, in pixels from the top left corner of the picture.
+        low: [f64; 2],
+        /// The right and the bottom edge, likewise.
+        high: [f64; 2],
+        /// Where the ray passes the picture, likewise.
+        at: [f64; 2],
+        /// Whether the ray passes through the rectangle.
+        holds: bool,
+    },
     /// The ray in a primitive's generic coordinates: S + c t, with the same t as in world space.
     Transform {
         /// The primitive's name.

@@ -4,7 +4,8 @@ use super::check::check;
 use super::diagnostics::Diagnostics;
 use super::file::{CameraFile, LightFile, LimitsFile, MOST_PIXELS, MaterialFile, MediaFile, SceneFile, scene_schema};
 use super::lenient::Lenient;
-use super::model::{Camera, Image, Light, LightKind, Limits, Material, MediaPolicy, Object, Scene};
+use super::model::{Camera, Image, Light, LightKind, Limits, Material, MediaPolicy, Object, Scene, Shortcuts};
+use super::object_index::ObjectIndex;
 use super::problem::{Path, Problem, Problems};
 use super::rules::Rules;
 use super::solids::{Around, SolidReader, find_circles};
@@ -49,17 +50,23 @@ fn compile(file: SceneFile, problems: &mut Problems) -> Option<Scene> {
     let materials = file.materials.or_default();
     let places: BTreeMap<_, _> = materials.keys().enumerate().map(|(i, name)| (name.as_str(), i)).collect();
     let objects = objects(&file.solids.or_default(), &file.objects.or_default(), &places, problems);
+    let camera = camera?;
+    let materials: Vec<_> =
+        materials.into_iter().map(|(name, file)| material(name, &file.or_default())).collect();
+    let index = ObjectIndex::new(&objects, &materials, &camera);
     Some(Scene {
         title: file.title.or_default(),
         about: file.about.or_default(),
         sections: file.sections.or_default().into_iter().map(Lenient::or_default).collect(),
-        camera: camera?,
+        camera,
         image,
         ambient: DVec3::from_array(file.ambient.or_default().0.0),
         background: DVec3::from_array(file.background.or_default().0.0),
         lights,
-        materials: materials.into_iter().map(|(name, file)| material(name, &file.or_default())).collect(),
+        materials,
         objects,
+        index,
+        shortcuts: Shortcuts::ALL,
         media: match file.media.or_default() {
             MediaFile::Forbid => MediaPolicy::Forbid,
             MediaFile::MostRecent => MediaPolicy::MostRecent,

@@ -10,7 +10,9 @@ mod embedded;
 mod file;
 mod lenient;
 mod model;
+mod object_index;
 mod problem;
+mod projection;
 mod rules;
 mod solid_file;
 mod solids;
@@ -25,6 +27,8 @@ pub use file::{
     SceneFile, scene_schema,
 };
 pub use lenient::Lenient;
-pub use model::{Camera, Image, Light, LightKind, Limits, Material, MediaPolicy, Object, Rgb, Scene};
+pub use model::{Camera, Image, Light, LightKind, Limits, Material, MediaPolicy, Object, Rgb, Scene, Shortcuts};
+pub use object_index::ObjectIndex;
+pub use projection::Projection;
 pub use solid_file::{HalfSpaceFile, Scale, SolidFile, Transform};
 pub use solids::compile_solid;

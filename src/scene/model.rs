@@ -1,5 +1,6 @@
 //! A compiled scene: what the tracer sees.
 
+use super::ObjectIndex;
 use crate::csg::Solid;
 use glam::DVec3;
 
@@ -26,21 +27,38 @@ impl Camera {
     /// distance 1. Pixels have side 1, and the centre of the top left one is (0.5, 0.5).
     #[must_use]
     pub fn ray_direction(&self, image: Image, x: f64, y: f64) -> DVec3 {
+        self.direction_through(self.place(image, x, y))
+    }
+
+    /// The direction of the ray through a place on the image plane at distance 1, across and upwards from its middle.
+    #[must_use]
+    pub fn direction_through(&self, [across, upwards]: [f64; 2]) -> DVec3 {
+        self.forward + self.right * across + self.up * upwards
+    }
+
+    /// Where the point (x, y) of the picture lies on the image plane at distance 1: across and upwards from its middle.
+    #[must_use]
+    pub fn place(&self, image: Image, x: f64, y: f64) -> [f64; 2] {
         let (half_width, half_height) = self.half_size(image);
         let across = half_width * (2.0 * x / f64::from(image.width) - 1.0);
         let upwards = half_height * (1.0 - 2.0 * y / f64::from(image.height));
-        self.forward + self.right * across + self.up * upwards
+        [across, upwards]
+    }
+
+    /// The point of the picture at a place on the image plane: what [`place`](Self::place) undoes.
+    #[must_use]
+    pub fn pixel_at(&self, image: Image, [across, upwards]: [f64; 2]) -> [f64; 2] {
+        let (half_width, half_height) = self.half_size(image);
+        let (width, height) = (f64::from(image.width), f64::from(image.height));
+        [0.5 * (1.0 + across / half_width) * width, 0.5 * (1.0 - upwards / half_height) * height]
     }
 
     /// Where a point of the world appears in the picture; none if it is not in front of the eye.
     #[must_use]
     pub fn project(&self, image: Image, world: DVec3) -> Option<[f64; 2]> {
-        let (half_width, half_height) = self.half_size(image);
         let from_eye = world - self.eye;
         let depth = from_eye.dot(self.forward);
-        let across = from_eye.dot(self.right) / (depth * half_width);
-        let upwards = from_eye.dot(self.up) / (depth * half_height);
-        let pixel = [0.5 * (1.0 + across) * f64::from(image.width), 0.5 * (1.0 - upwards) * f64::from(image.height)];
+        let pixel = self.pixel_at(image, [from_eye.dot(self.right) / depth, from_eye.dot(self.up) / depth]);
         (depth > 0.0 && pixel.iter().all(|x| x.is_finite())).then_some(pixel)
     }
 
@@ -120,6 +138,24 @@ pub struct Limits {
     pub contribution: f64,
 }
 
+/// What a ray may be spared. None of it changes a picture; each can be left out to see what it saves.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Shortcuts {
+    /// Tests against the boxes of solids and of what they are made of.
+    pub boxes: bool,
+    /// Tests of rays from the eye against the rectangles of objects in the picture.
+    pub projections: bool,
+    /// The tree of boxes over the objects.
+    pub hierarchy: bool,
+}
+
+impl Shortcuts {
+    /// All of them.
+    pub const ALL: Self = Self { boxes: true, projections: true, hierarchy: true };
+    /// Every ray asks everything.
+    pub const NONE: Self = Self { boxes: false, projections: false, hierarchy: false };
+}
+
 /// A solid with materials.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Object {
@@ -158,6 +194,10 @@ pub struct Scene {
     pub materials: Vec<Material>,
     /// The object list.
     pub objects: Vec<Object>,
+    /// What is known of the object list before a ray is sent.
+    pub index: ObjectIndex,
+    /// What rays are spared.
+    pub shortcuts: Shortcuts,
     /// What happens where transparent objects overlap.
     pub media: MediaPolicy,
     /// Where a ray's tree ends.

@@ -113,6 +113,10 @@ macro_rules! define_shape {
                 match self { $(Self::$variant(shape) => shape.bounds(),)* }
             }
 
+            fn is_convex(&self) -> bool {
+                match self { $(Self::$variant(shape) => shape.is_convex(),)* }
+            }
+
             fn outline(&self) -> Vec<Vec<DVec3>> {
                 match self { $(Self::$variant(shape) => shape.outline(),)* }
             }

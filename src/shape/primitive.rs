@@ -278,6 +278,11 @@ pub trait Primitive {
     /// The box that holds it.
     fn bounds(&self) -> Bounds;
 
+    /// Whether a line meets it in one interval at most.
+    fn is_convex(&self) -> bool {
+        true
+    }
+
     /// Polylines in generic coordinates that show the shape: edges, rims, meridians.
     fn outline(&self) -> Vec<Vec<DVec3>>;
 

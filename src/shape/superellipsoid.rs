@@ -157,6 +157,10 @@ impl Primitive for Superellipsoid {
         DVec2::new(super::sphere::turn(point.truncate()), ((latitude + FRAC_PI_2) / PI).clamp(0.0, 1.0))
     }
 
+    fn is_convex(&self) -> bool {
+        self.exponents.n >= 1.0 && self.exponents.m >= 1.0
+    }
+
     fn bounds(&self) -> Bounds {
         Bounds { low: DVec3::NEG_ONE, high: DVec3::ONE }
     }

@@ -202,6 +202,10 @@ impl Primitive for Torus {
         DVec2::new(super::sphere::turn(point.truncate()), super::sphere::turn(DVec2::new(radius - self.d, point.z)))
     }
 
+    fn is_convex(&self) -> bool {
+        false
+    }
+
     fn bounds(&self) -> Bounds {
         let high = DVec3::new(self.d + 1.0, self.d + 1.0, 1.0);
         Bounds { low: -high, high }

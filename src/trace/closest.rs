@@ -2,9 +2,9 @@
 
 use super::departure::Ahead;
 use super::ray::{Ray, Tracer};
-use crate::csg::{Boundary, IntervalList, Leaf};
-use crate::record::{Entry, Recorder, Sense, Value, What};
-use crate::scene::{Material, Object};
+use crate::csg::{Boundary, Course, Extent, IntervalList, Leaf};
+use crate::record::{Counter, Entry, Recorder, Sense, Value, What};
+use crate::scene::{Material, Projection};
 use crate::shape::Primitive;
 use glam::DVec3;
 
@@ -62,16 +62,77 @@ impl Tracer<'_> {
 
     /// Step 2: the intersections of the ray with one object after the other. Objects that are missed are left out.
     pub(super) fn find_all_intersections(&self, ray: &Ray, recorder: &mut impl Recorder) -> Vec<Found> {
+        let course = self.course(ray);
         let mut found = Vec::new();
-        for (index, object) in self.scene.objects.iter().enumerate() {
-            let list = intersect(index, object, ray, recorder);
-            let ahead = ray.ahead(index, object, &list);
-            ahead.report(object, recorder);
+        for index in self.reached(&course, recorder) {
+            let list = self.intersect(index, ray, &course, recorder);
+            let ahead = ray.ahead(index, &self.scene.objects[index], &list);
+            ahead.report(&self.scene.objects[index], recorder);
             if !list.is_empty() || !ahead.boundaries.is_empty() {
                 found.push(Found { object: index, list, ahead });
             }
         }
         found
+    }
+
+    /// The objects that the whole line can meet, in the order of the list.
+    pub(super) fn reached(&self, course: &Course, recorder: &mut impl Recorder) -> Vec<usize> {
+        let index = &self.scene.index;
+        if !self.scene.shortcuts.hierarchy {
+            return (0..self.scene.objects.len()).collect();
+        }
+        let items = index.hierarchy.reached(course, |extent, inside, count| {
+            recorder.count(Counter::ExtentTest);
+            recorder.note(|| group(extent, inside, count));
+        });
+        let mut objects: Vec<_> = items.into_iter().map(|item| index.bounded[item]).chain(index.unbounded.clone()).collect();
+        objects.sort_unstable();
+        objects
+    }
+
+    /// The ray's inside intervals in one object.
+    pub(super) fn intersect(
+        &self,
+        index: usize,
+        ray: &Ray,
+        course: &Course,
+        recorder: &mut impl Recorder,
+    ) -> IntervalList {
+        let object = &self.scene.objects[index];
+        recorder.begin();
+        let list = if self.is_in_sight(index, ray, recorder) {
+            object.solid.inside_along::<f64>(course, recorder)
+        } else {
+            IntervalList::default()
+        };
+        recorder.end(|| Entry::new(What::Object { index, name: object.name.clone(), intervals: list.intervals.len() }));
+        list
+    }
+
+    /// Whether a ray from the eye may see the object, by its rectangle in the picture.
+    fn is_in_sight(&self, index: usize, ray: &Ray, recorder: &mut impl Recorder) -> bool {
+        let projection = &self.scene.index.projections[index];
+        let Some(place) = ray.place.filter(|_| self.scene.shortcuts.projections && *projection != Projection::EVERYWHERE)
+        else {
+            return true;
+        };
+        let holds = projection.holds(place);
+        recorder.note(|| self.describe_projection(index, place, holds));
+        holds
+    }
+
+    fn describe_projection(&self, index: usize, place: [f64; 2], holds: bool) -> Entry {
+        let (camera, image) = (&self.scene.camera, self.scene.image);
+        let projection = &self.scene.index.projections[index];
+        let [left, bottom] = camera.pixel_at(image, projection.low.to_array());
+        let [right, top] = camera.pixel_at(image, projection.high.to_array());
+        Entry::new(What::Projection {
+            of: self.scene.objects[index].name.clone(),
+            low: [left, top],
+            high: [right, bottom],
+            at: camera.pixel_at(image, place),
+            holds,
+        })
     }
 
     /// Step 3: the boundary that lies closest to and in front of the ray's start; the object list decides ties.
@@ -157,12 +218,10 @@ impl Tracer<'_> {
     }
 }
 
-/// The ray's inside intervals in one object.
-pub(super) fn intersect(index: usize, object: &Object, ray: &Ray, recorder: &mut impl Recorder) -> IntervalList {
-    recorder.begin();
-    let list = object.solid.inside::<f64>(ray.origin, ray.direction, recorder);
-    recorder.end(|| Entry::new(What::Object { index, name: object.name.clone(), intervals: list.intervals.len() }));
-    list
+/// The test against the box of several objects.
+fn group(extent: &Extent, inside: Option<[f64; 2]>, count: usize) -> Entry {
+    let (low, high) = (extent.low.to_array(), extent.high.to_array());
+    Entry::new(What::Extent { of: format!("{count} objects"), low, high, inside })
 }
 
 /// Why a boundary is not the one that is seen.

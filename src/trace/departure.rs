@@ -12,7 +12,7 @@
 //! inside of always follows the boundaries that it was seen to cross.
 
 use super::closest::Surface;
-use crate::csg::{Boundary, IntervalList, Solid};
+use crate::csg::{Boundaries, Boundary, IntervalList, Solid};
 use crate::record::{Entry, Recorder, Sense, What};
 use crate::scene::Object;
 use glam::DVec3;
@@ -38,7 +38,7 @@ pub struct Ahead {
     /// The boundary that the ray started on, which does not count.
     pub departed: Option<Boundary>,
     /// Those that count, ascending.
-    pub boundaries: Vec<(Boundary, Sense)>,
+    pub boundaries: Boundaries,
     /// Whether the ray is inside the object for good behind the last of them.
     pub endless: bool,
     /// How far the start had to be moved to the right side of the surface, if it had to be.
@@ -63,6 +63,12 @@ impl Departure {
         Self { object: surface.object, boundary, sense, normal, blur }
     }
 
+    /// Whether nothing of the object can lie ahead: the ray goes out of a convex solid, or has touched a flat surface.
+    #[must_use]
+    pub fn is_for_good(&self, solid: &Solid) -> bool {
+        self.sense != Sense::Enter && solid.is_convex()
+    }
+
     /// What lies ahead of the ray in the object that it started on; `list_from` gives all boundaries from an origin.
     #[must_use]
     pub fn ahead(
@@ -73,6 +79,9 @@ impl Departure {
         list_from: impl FnOnce(DVec3) -> IntervalList,
     ) -> Ahead {
         let first = self.behind_start(solid, [origin, direction], list);
+        if self.is_for_good(solid) {
+            return Ahead { departed: first.departed, ..Ahead::default() };
+        }
         if self.agrees(&first) {
             return first;
         }
@@ -96,7 +105,7 @@ impl Departure {
             .min_by(|&a, &b| all[a].0.t.abs().total_cmp(&all[b].0.t.abs()));
         match start {
             Some(start) => {
-                let (departed, boundaries) = (Some(all[start].0), all[start + 1..].to_vec());
+                let (departed, boundaries) = (Some(all[start].0), all[start + 1..].into());
                 Ahead { departed, boundaries, endless: is_endless(list), moved: None }
             }
             None => Ahead::of(list),

@@ -25,6 +25,7 @@ impl Tracer<'_> {
             direction,
             depth: ray.depth + 1,
             departure: Some(Departure::new(surface, ray.direction, direction)),
+            place: None,
             ..ray.clone()
         }
     }

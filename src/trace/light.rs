@@ -1,12 +1,13 @@
 //! The ambient, diffuse and specular terms, and the shadow rays that they ask for.
 
-use super::closest::{Surface, intersect};
+use super::closest::Surface;
 use super::departure::{Ahead, Departure};
 use super::ray::{Components, Ray, Tracer};
-use crate::optics::reflect;
+use crate::optics::{MediaStack, reflect};
 use crate::record::{Counter, Entry, RayKind, Recorder, Value, What};
 use crate::scene::{Light, LightKind, Object, Rgb};
 use glam::DVec3;
+use smallvec::SmallVec;
 
 /// The way to a light.
 struct Way {
@@ -27,6 +28,32 @@ impl Way {
             }
             LightKind::Directional(towards) => Self { direction: towards, towards, limit: f64::INFINITY },
         }
+    }
+}
+
+/// What transparent objects leave of a light, gathered in any order.
+#[derive(Default)]
+pub(super) struct Shade {
+    /// An opaque object is in the way.
+    pub is_dark: bool,
+    shares: SmallVec<[(usize, f64); 4]>,
+}
+
+impl Shade {
+    /// An object lets this share pass.
+    pub fn add(&mut self, object: usize, share: f64) {
+        if share != 1.0 {
+            self.shares.push((object, share));
+        }
+    }
+
+    /// The product, in the order of the object list: rounding must not depend on the order of the tests.
+    pub fn share(mut self) -> f64 {
+        if self.is_dark {
+            return 0.0;
+        }
+        self.shares.sort_by_key(|&(object, _)| object);
+        self.shares.iter().map(|(_, share)| share).product()
     }
 }
 
@@ -110,26 +137,39 @@ impl Tracer<'_> {
             weight: ray.weight,
             budget: 0,
             departure: Some(Departure::new(surface, ray.direction, way.direction)),
-            media: ray.media.clone(),
+            // Only for the account: shadow rays are not bent.
+            media: if R::RECORDING { ray.media.clone() } else { MediaStack::default() },
+            place: None,
         };
         recorder.count(Counter::Ray(RayKind::Shadow));
-        recorder.begin();
-        let mut share = 1.0;
-        for (index, object) in self.scene.objects.iter().enumerate() {
-            let list = intersect(index, object, &shadow, recorder);
-            let ahead = shadow.ahead(index, object, &list);
-            ahead.report(object, recorder);
-            share *= self.passed(object, &ahead, way.limit, recorder);
-            if share == 0.0 {
-                break;
-            }
+        if !R::RECORDING {
+            return self.let_through(&shadow, way.limit, recorder);
         }
+        recorder.begin();
+        let share = self.told_let_through(&shadow, way.limit, recorder);
         recorder.end(|| self.describe_ray(&shadow));
         share
     }
 
+    /// The share of a light at `limit` that arrives along a shadow ray, told object by object.
+    fn told_let_through(&self, shadow: &Ray, limit: f64, recorder: &mut impl Recorder) -> f64 {
+        let course = self.course(shadow);
+        let mut share = 1.0;
+        for index in self.reached(&course, recorder) {
+            let object = &self.scene.objects[index];
+            let list = self.intersect(index, shadow, &course, recorder);
+            let ahead = shadow.ahead(index, object, &list);
+            ahead.report(object, recorder);
+            share *= self.passed(object, &ahead, limit, recorder);
+            if share == 0.0 {
+                break;
+            }
+        }
+        share
+    }
+
     /// The share of light that an object lets pass before the light at `limit`.
-    fn passed<R: Recorder>(&self, object: &Object, ahead: &Ahead, limit: f64, recorder: &mut R) -> f64 {
+    pub(super) fn passed<R: Recorder>(&self, object: &Object, ahead: &Ahead, limit: f64, recorder: &mut R) -> f64 {
         let mut share = 1.0;
         for (t, leaf) in ahead.passages(limit) {
             let material = &self.scene.materials[object.leaf_materials[leaf]];

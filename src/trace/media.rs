@@ -1,10 +1,11 @@
 //! Which medium a ray travels in, and what a boundary changes about it (§ 6.4.1, design policies 1 and 2).
 
-use super::closest::{Found, Surface};
+use super::closest::Surface;
 use super::ray::{Ray, Tracer};
 use crate::optics::{MediaStack, Policy};
-use crate::record::{Entry, Recorder, Sense, What};
+use crate::record::{Entry, NullRecorder, Recorder, Sense, What};
 use crate::scene::MediaPolicy;
+use glam::DVec3;
 
 /// The media on the two sides of a boundary.
 #[derive(Clone, Debug)]
@@ -21,18 +22,17 @@ pub(super) struct MediaCrossing {
 
 impl Tracer<'_> {
     /// The transparent objects that the eye is inside, in the order in which a ray from far behind it entered them.
-    pub(super) fn media_around_the_eye(&self, found: &[Found]) -> MediaStack {
-        let mut around: Vec<(f64, usize)> = found
-            .iter()
-            .filter(|candidate| self.is_transparent(candidate.object))
-            .filter_map(|candidate| {
-                let holds_eye = candidate.list.intervals.iter().find(|interval| {
-                    interval.enter.is_none_or(|enter| enter.t <= 0.0)
-                        && interval.leave.is_none_or(|leave| leave.t > 0.0)
-                })?;
-                Some((holds_eye.enter.map_or(f64::NEG_INFINITY, |enter| enter.t), candidate.object))
-            })
-            .collect();
+    pub(super) fn media_around(&self, eye: DVec3, direction: DVec3) -> MediaStack {
+        let holding_eye = |&object: &usize| {
+            let list = self.scene.objects[object].solid.inside::<f64>(eye, direction, &mut NullRecorder);
+            let interval = list.intervals.into_iter().find(|interval| {
+                interval.enter.is_none_or(|enter| enter.t <= 0.0) && interval.leave.is_none_or(|leave| leave.t > 0.0)
+            })?;
+            Some((interval.enter.map_or(f64::NEG_INFINITY, |enter| enter.t), object))
+        };
+        let index = &self.scene.index;
+        let candidates = if eye == self.scene.camera.eye { &index.around_the_eye } else { &index.transparent };
+        let mut around: Vec<(f64, usize)> = candidates.iter().filter_map(holding_eye).collect();
         around.sort_by(|a, b| a.0.total_cmp(&b.0));
         let mut media = MediaStack::default();
         for (_, object) in around {

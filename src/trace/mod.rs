@@ -6,6 +6,7 @@ mod export;
 mod leaving;
 mod light;
 mod media;
+mod nearest;
 mod picture;
 mod pixel;
 mod ray;

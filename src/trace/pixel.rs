@@ -41,8 +41,9 @@ pub fn record_ray(scene: &Scene, origin: DVec3, direction: DVec3) -> RayTree {
 /// Step 1: the ray from the eye through the pixel's centre.
 fn build_ray(tracer: &Tracer, x: u32, y: u32, recorder: &mut impl Recorder) -> Ray {
     let (camera, image) = (&tracer.scene.camera, tracer.scene.image);
-    let direction = camera.ray_direction(image, f64::from(x) + 0.5, f64::from(y) + 0.5);
-    let ray = Ray::camera(camera.eye, direction);
+    let place = camera.place(image, f64::from(x) + 0.5, f64::from(y) + 0.5);
+    let direction = camera.direction_through(place);
+    let ray = Ray { place: Some(place), ..Ray::camera(camera.eye, direction) };
     step(&ray, 1, recorder, |recorder| {
         recorder.note(|| {
             let (across, down) = (f64::from(x) + 0.5, f64::from(y) + 0.5);

@@ -2,7 +2,7 @@
 
 use super::closest::Surface;
 use super::departure::{Ahead, Departure};
-use crate::csg::IntervalList;
+use crate::csg::{Course, IntervalList, Solid};
 use crate::optics::MediaStack;
 use crate::record::{Counter, Entry, NullRecorder, RayKind, Recorder, What};
 use crate::scene::{Object, Rgb, Scene};
@@ -27,6 +27,8 @@ pub struct Ray {
     pub departure: Option<Departure>,
     /// The transparent objects that it is inside.
     pub media: MediaStack,
+    /// Where it passes the image plane at distance 1, across and upwards from its middle, if it comes from the eye.
+    pub place: Option<[f64; 2]>,
 }
 
 /// Rays that a pixel may spawn. Depth alone does not bound them: where each ray spawns two, every level doubles them.
@@ -37,12 +39,15 @@ impl Ray {
     /// A ray from the eye.
     #[must_use]
     pub fn camera(origin: DVec3, direction: DVec3) -> Self {
-        let (departure, media) = (None, MediaStack::default());
-        Self { kind: RayKind::Camera, origin, direction, depth: 0, weight: 1.0, budget: MOST_RAYS, departure, media }
+        let (departure, media, place) = (None, MediaStack::default(), None);
+        Self { kind: RayKind::Camera, origin, direction, depth: 0, weight: 1.0, budget: MOST_RAYS, departure, media, place }
     }
-}
 
-impl Ray {
+    /// Whether the ray has left a convex object for good, so that nothing of it can lie ahead.
+    pub(super) fn leaves_for_good(&self, index: usize, solid: &Solid) -> bool {
+        self.departure.is_some_and(|departure| departure.object == index && departure.is_for_good(solid))
+    }
+
     /// Which of an object's boundaries along the ray count.
     pub(super) fn ahead(&self, index: usize, object: &Object, list: &IntervalList) -> Ahead {
         match self.departure {
@@ -111,11 +116,15 @@ impl<'a> Tracer<'a> {
     /// The colour that comes back along the ray: steps 2 to 5 of § 6.1, for camera rays and for spawned ones alike.
     pub fn trace<R: Recorder>(&self, mut ray: Ray, recorder: &mut R) -> Rgb {
         recorder.count(Counter::Ray(ray.kind));
-        let found = step(&ray, 2, recorder, |recorder| self.find_all_intersections(&ray, recorder));
+        let closest = if R::RECORDING {
+            let found = step(&ray, 2, recorder, |recorder| self.find_all_intersections(&ray, recorder));
+            step(&ray, 3, recorder, |recorder| self.find_closest_in_front(&found, recorder))
+        } else {
+            self.nearest(&ray, recorder)
+        };
         if ray.kind == RayKind::Camera {
-            ray.media = self.media_around_the_eye(&found);
+            ray.media = self.media_around(ray.origin, ray.direction);
         }
-        let closest = step(&ray, 3, recorder, |recorder| self.find_closest_in_front(&found, recorder));
         let surface = step(&ray, 4, recorder, |recorder| {
             closest.as_ref().map(|closest| self.compute_hit_point(&ray, closest, recorder))
         });
@@ -123,6 +132,11 @@ impl<'a> Tracer<'a> {
             Some(surface) => self.find_colour(&ray, surface, recorder),
             None => self.see_background(recorder),
         })
+    }
+
+    /// The ray, ready to be tested against the boxes of all objects.
+    pub(super) fn course(&self, ray: &Ray) -> Course {
+        Course::new(ray.origin, ray.direction, self.scene.index.skew).testing_boxes(self.scene.shortcuts.boxes)
     }
 
     /// Step 5 where nothing is hit.

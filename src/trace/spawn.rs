@@ -89,6 +89,7 @@ impl Tracer<'_> {
             budget: budget.unwrap_or(0),
             departure: Some(Departure::new(surface, parent.direction, direction)),
             media,
+            place: None,
         };
         if self.stopped_by_a_limit(&ray, budget.is_none(), recorder) {
             return Rgb::ZERO;

@@ -83,6 +83,8 @@ pub fn every_kind() -> RayTree {
 
 fn search(s: &mut Sketch) {
     s.with(What::Object { index: 0, name: "bowl".into(), intervals: 1 }, |s| {
+        let [low, high, at] = [[100.0, 80.0], [540.0, 400.0], [320.5, 240.5]];
+        s.note(What::Projection { of: "bowl".into(), low, high, at, holds: true });
         s.note(What::Extent { of: "bowl".into(), low: [-1.0; 3], high: [1.0; 3], inside: Some([3.0, 5.0]) });
         let left = vec![span(edge(3.0, 0, "outer", "surface", false), edge(5.0, 0, "outer", "surface", false))];
         let right = vec![span(edge(2.5, 1, "inner", "surface", false), edge(4.5, 1, "inner", "surface", false))];
@@ -100,6 +102,8 @@ fn search(s: &mut Sketch) {
         });
     });
     s.with(What::Object { index: 1, name: "pin".into(), intervals: 0 }, |s| {
+        let [low, high, at] = [[600.0, 20.0], [640.0, 60.0], [320.5, 240.5]];
+        s.note(What::Projection { of: "pin".into(), low, high, at, holds: false });
         s.note(What::Extent { of: "pin".into(), low: [2.0, 2.0, 0.0], high: [3.0, 3.0, 1.0], inside: None });
         s.note(What::Combine {
             name: "pin".into(),

@@ -113,6 +113,10 @@ fn ray_lines(what: &What) -> Option<Vec<DetailLine>> {
                 }),
             ),
         ],
+        What::Projection { low, high, at, .. } => {
+            let point = |[x, y]: [f64; 2]| format!("({}, {})", format_number(x), format_number(y));
+            vec![pair("corners", format!("{} and {}", point(*low), point(*high))), pair("the ray's pixel", point(*at))]
+        }
         What::Transform { inverse, origin, direction, .. } => vec![
             DetailLine::Table {
                 title: "inverse transform, world to generic".to_owned(),

@@ -23,6 +23,14 @@ fn explain_search(what: &What) -> Option<&'static str> {
         What::Extent { inside: None, .. } => {
             "The ray misses the box that holds the solid, so nothing inside the box needs to be tested."
         }
+        What::Projection { holds: true, .. } => {
+            "The pixel lies in the rectangle of the picture outside which the object cannot be seen, so the object must be \
+             tested."
+        }
+        What::Projection { .. } => {
+            "The pixel lies outside the rectangle of the picture that holds the object, so this ray from the eye cannot \
+             meet it."
+        }
         What::Transform { .. } => {
             "The inverse transform takes the ray to the shape's own coordinates, where its equation is simple. \
              c is not normalised, so that t means the same in both."

@@ -33,6 +33,7 @@ fn icon(what: &What) -> &'static str {
         },
         What::Object { .. } => "◆",
         What::Extent { .. } => "□",
+        What::Projection { .. } => "▭",
         What::Transform { .. } => "⇄",
         What::Primitive { .. } => "●",
         What::Planes { .. } => "▤",
@@ -70,6 +71,8 @@ fn label(what: &What) -> String {
         What::Object { name, intervals, .. } => format!("{name}: {}", count(*intervals, "inside interval")),
         What::Extent { of, inside: Some(_), .. } => format!("extent of {of}: the ray may hit"),
         What::Extent { of, inside: None, .. } => format!("extent of {of}: missed"),
+        What::Projection { of, holds: true, .. } => format!("rectangle of {of} in the picture: the ray may hit"),
+        What::Projection { of, .. } => format!("rectangle of {of} in the picture: missed"),
         What::Transform { of, .. } => format!("ray into the generic coordinates of {of}"),
         What::Primitive { shape, name, hits, .. } => format!("{}: {}", titled(shape, name), count(*hits, "hit")),
         What::Planes { rows, stopped: None } => format!("plane table: {}", count(rows.len(), "row")),
@@ -127,6 +130,10 @@ fn numbers(event: &Event) -> String {
             format!("{} + {} t, weight {}", brief_vector(*origin), brief_vector(*direction), brief(*weight))
         }
         What::Extent { inside: Some([near, far]), .. } => format!("t from {} to {}", brief(*near), brief(*far)),
+        What::Projection { low: [left, top], high: [right, bottom], .. } => {
+            let [left, top, right, bottom] = [left, top, right, bottom].map(|edge| brief(*edge));
+            format!("x from {left} to {right}, y from {top} to {bottom}")
+        }
         What::Transform { origin, direction, .. } => {
             format!("S = {}, c = {}", brief_vector(*origin), brief_vector(*direction))
         }

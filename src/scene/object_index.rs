@@ -1,0 +1,50 @@
+//! What is known of the object list before a ray is sent, worked out once for a scene.
+
+use super::{Camera, Material, Object, Projection};
+use crate::csg::{Extent, Hierarchy};
+
+/// The objects, arranged so that a ray need not ask all of them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ObjectIndex {
+    /// Over the boxes of the bounded objects, numbered as in `bounded`.
+    pub hierarchy: Hierarchy,
+    /// The objects that have a box, by their places in the list.
+    pub bounded: Vec<usize>,
+    /// The objects that have none, by their places in the list.
+    pub unbounded: Vec<usize>,
+    /// For each object whether no part of it lets light through.
+    pub opaque: Vec<bool>,
+    /// For each object where it is in the picture.
+    pub projections: Vec<Projection>,
+    /// The objects that are filled with a transparent material.
+    pub transparent: Vec<usize>,
+    /// Those of them that may hold the eye: those whose boxes do.
+    pub around_the_eye: Vec<usize>,
+    /// The largest [`Placement::skew`](crate::csg::Placement::skew) of all.
+    pub skew: f64,
+}
+
+impl ObjectIndex {
+    /// Looks at all objects.
+    #[must_use]
+    pub fn new(objects: &[Object], materials: &[Material], camera: &Camera) -> Self {
+        let extents: Vec<Extent> = objects.iter().map(|object| object.solid.extent()).collect();
+        let has_box = |object: &usize| extents[*object].is_finite();
+        let (bounded, unbounded): (Vec<_>, Vec<_>) = (0..objects.len()).partition(has_box);
+        let boxes: Vec<Extent> = bounded.iter().map(|&object| extents[object]).collect();
+        let lets_through = |material: usize| materials[material].transparency > 0.0;
+        let transparent: Vec<_> = (0..objects.len()).filter(|&o| lets_through(objects[o].material)).collect();
+        let around_the_eye = transparent.iter().copied().filter(|&object| extents[object].holds(camera.eye)).collect();
+        let skew = objects.iter().map(|object| object.solid.skew).fold(1.0, f64::max);
+        Self {
+            hierarchy: Hierarchy::new(&boxes),
+            bounded,
+            unbounded,
+            opaque: objects.iter().map(|o| !o.leaf_materials.iter().any(|&m| lets_through(m))).collect(),
+            projections: extents.iter().map(|extent| Projection::new(camera, extent, skew)).collect(),
+            transparent,
+            around_the_eye,
+            skew,
+        }
+    }
+}

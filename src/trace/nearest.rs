@@ -1,0 +1,128 @@
+//! Steps 2 to 4 for a picture: what a ray meets first, without asking for what it would meet later.
+//!
+//! A recorded ray asks every object that it can meet for all of its intervals, because they are what is shown. A
+//! picture needs only the first boundary; so objects are asked in the order in which the ray comes to their boxes, and not
+//! at all once a nearer hit is known. Both give the same answer, bit for bit: boxes never lose a hit, and of hits with
+//! the same time the object list decides.
+
+use super::closest::Closest;
+use super::departure::Ahead;
+use super::light::Shade;
+use super::ray::{Ray, Tracer};
+use crate::csg::{Boundary, Course};
+use crate::record::{Recorder, Sense};
+
+impl Tracer<'_> {
+    /// The closest boundary in front of the ray's start.
+    pub(super) fn nearest<R: Recorder>(&self, ray: &Ray, recorder: &mut R) -> Option<Closest> {
+        let course = self.course(ray);
+        let mut closest: Option<Closest> = None;
+        self.for_each_in_the_way(ray, &course, f64::INFINITY, |object, is_met| {
+            if let Some((boundary, sense)) = self.first_ahead(object, ray, &course, is_met, recorder)
+                && closest.is_none_or(|best| (boundary.t, object) < (best.boundary.t, best.object))
+            {
+                closest = Some(Closest { object, boundary, sense });
+            }
+            closest.map_or(f64::INFINITY, |best| best.boundary.t)
+        });
+        closest
+    }
+
+    /// The share of a light at `limit` that arrives along a shadow ray: nothing behind the first opaque object.
+    pub(super) fn let_through<R: Recorder>(&self, ray: &Ray, limit: f64, recorder: &mut R) -> f64 {
+        let course = self.course(ray);
+        let mut shade = Shade::default();
+        self.for_each_in_the_way(ray, &course, limit, |object, is_met| {
+            if self.scene.index.opaque[object] {
+                shade.is_dark |= self.blocks(object, ray, &course, is_met, limit, recorder);
+            } else {
+                let ahead = self.ahead_in(object, ray, &course, is_met, recorder);
+                shade.add(object, self.passed(&self.scene.objects[object], &ahead, limit, recorder));
+            }
+            if shade.is_dark { f64::NEG_INFINITY } else { limit }
+        });
+        shade.share()
+    }
+
+    /// Shows the objects that may be in the way of a ray to `ask`, with whether it is known that the ray meets the object's
+    /// box. `ask` returns the time behind which nothing matters any more.
+    fn for_each_in_the_way(&self, ray: &Ray, course: &Course, limit: f64, mut ask: impl FnMut(usize, bool) -> f64) {
+        let index = &self.scene.index;
+        let departed = ray.departure.map(|departure| departure.object);
+        let mut limit = limit;
+        // The object that the ray starts on comes first: its boundaries may lie at t = 0, before its box begins.
+        let begin = departed.into_iter().chain(index.unbounded.iter().copied().filter(|&object| departed != Some(object)));
+        for object in begin {
+            limit = limit.min(ask(object, false));
+        }
+        let is_asked = |object: usize| departed != Some(object) && self.is_projected(ray, object);
+        if self.scene.shortcuts.hierarchy {
+            index.hierarchy.walk(course, limit, |item, limit| {
+                let object = index.bounded[item];
+                if is_asked(object) { limit.min(ask(object, true)) } else { limit }
+            });
+        } else {
+            index.bounded.iter().copied().filter(|&object| is_asked(object)).for_each(|object| {
+                ask(object, false);
+            });
+        }
+    }
+
+    /// Whether the object may be seen in the direction of a ray from the eye.
+    fn is_projected(&self, ray: &Ray, object: usize) -> bool {
+        !self.scene.shortcuts.projections || ray.place.is_none_or(|place| self.scene.index.projections[object].holds(place))
+    }
+
+    /// The object's first boundary that counts.
+    fn first_ahead<R: Recorder>(
+        &self,
+        object: usize,
+        ray: &Ray,
+        course: &Course,
+        is_met: bool,
+        recorder: &mut R,
+    ) -> Option<(Boundary, Sense)> {
+        if ray.departure.is_some_and(|departure| departure.object == object) {
+            self.ahead_in(object, ray, course, is_met, recorder).boundaries.first().copied()
+        } else {
+            self.scene.objects[object].solid.first_in_front(course, is_met, recorder)
+        }
+    }
+
+    /// Whether an opaque object is in the way of a shadow ray.
+    fn blocks<R: Recorder>(
+        &self,
+        object: usize,
+        ray: &Ray,
+        course: &Course,
+        is_met: bool,
+        limit: f64,
+        recorder: &mut R,
+    ) -> bool {
+        let departed = ray.departure.is_some_and(|departure| departure.object == object);
+        let solid = &self.scene.objects[object].solid;
+        if departed || !solid.extent().is_finite() {
+            return self.ahead_in(object, ray, course, is_met, recorder).passages(limit).next().is_some();
+        }
+        // A ray that comes out of an object which it did not enter started inside it.
+        let first = solid.first_in_front(course, is_met, recorder);
+        first.is_some_and(|(boundary, sense)| sense == Sense::Leave || boundary.t < limit)
+    }
+
+    /// All boundaries of an object that count for a ray.
+    fn ahead_in<R: Recorder>(
+        &self,
+        object: usize,
+        ray: &Ray,
+        course: &Course,
+        is_met: bool,
+        recorder: &mut R,
+    ) -> Ahead {
+        let solid = &self.scene.objects[object].solid;
+        if ray.leaves_for_good(object, solid) {
+            return Ahead::default();
+        }
+        let list = if is_met { solid.inside_within(course, recorder) } else { solid.inside_along::<f64>(course, recorder) };
+        ray.ahead(object, &self.scene.objects[object], &list)
+    }
+}
