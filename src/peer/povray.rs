@@ -105,7 +105,7 @@ fn object(scene: &Scene, object: &Object) -> Result<String, String> {
         String::new()
     };
     let mut sdl = String::new();
-    node(object, &object.solid.root, "", &interior, &mut sdl)
+    node(object, object.solid.root(), "", &interior, &mut sdl)
         .map_err(|message| format!("object `{}`: {message}", object.name))?;
     Ok(sdl)
 }
@@ -125,8 +125,8 @@ fn node(object: &Object, node: &Node, indent: &str, tail: &str, sdl: &mut String
             };
             let _ = writeln!(sdl, "{indent}{keyword} {{");
             let inner = format!("{indent}  ");
-            self::node(object, left, &inner, "", sdl)?;
-            self::node(object, right, &inner, "", sdl)?;
+            self::node(object, &object.solid.nodes[*left], &inner, "", sdl)?;
+            self::node(object, &object.solid.nodes[*right], &inner, "", sdl)?;
             let _ = writeln!(sdl, "{indent}{tail} }}");
         }
     }

@@ -51,7 +51,8 @@ impl Tracer<'_> {
         let departed = ray.departure.map(|departure| departure.object);
         let mut limit = limit;
         // The object that the ray starts on comes first: its boundaries may lie at t = 0, before its box begins.
-        let begin = departed.into_iter().chain(index.unbounded.iter().copied().filter(|&object| departed != Some(object)));
+        let begin =
+            departed.into_iter().chain(index.unbounded.iter().copied().filter(|&object| departed != Some(object)));
         for object in begin {
             limit = limit.min(ask(object, false));
         }
@@ -70,7 +71,8 @@ impl Tracer<'_> {
 
     /// Whether the object may be seen in the direction of a ray from the eye.
     fn is_projected(&self, ray: &Ray, object: usize) -> bool {
-        !self.scene.shortcuts.projections || ray.place.is_none_or(|place| self.scene.index.projections[object].holds(place))
+        !self.scene.shortcuts.projections
+            || ray.place.is_none_or(|place| self.scene.index.projections[object].holds(place))
     }
 
     /// The object's first boundary that counts.
@@ -122,7 +124,8 @@ impl Tracer<'_> {
         if ray.leaves_for_good(object, solid) {
             return Ahead::default();
         }
-        let list = if is_met { solid.inside_within(course, recorder) } else { solid.inside_along::<f64>(course, recorder) };
+        let list =
+            if is_met { solid.inside_within(course, recorder) } else { solid.inside_along::<f64>(course, recorder) };
         ray.ahead(object, &self.scene.objects[object], &list)
     }
 }
