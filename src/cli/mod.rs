@@ -1,5 +1,7 @@
 //! The command line: one file for each command.
 
+mod bench;
+mod export;
 mod failure;
 mod open;
 mod output;
@@ -25,7 +27,9 @@ Examples:
   rayscope open scenes/csg/bowl.json            open it on a scene of your own
   rayscope render csg/bowl -o bowl.png          render a picture
   rayscope trace csg/bowl --pixel 320,240       print everything that a pixel's ray did
+  rayscope export --povray csg/bowl             write a scene for POV-Ray
   rayscope scenes                               list the scenes that come with the program
+  rayscope bench --peer povray                  time the benchmark scenes beside POV-Ray
   rayscope stability                            judge every solver by hits with 40 digits
 
 SCENE is a file, or the name of a scene that comes with the program, such as csg/bowl.
@@ -51,9 +55,11 @@ enum Command {
     Render(render::Render),
     Trace(trace::Trace),
     Probe(probe::Probe),
+    Export(export::Export),
     Scenes(scenes::Scenes),
     Schema(schema::Schema),
     Stability(stability::Stability),
+    Bench(bench::Bench),
 }
 
 /// Runs the program on the arguments that it was started with.
@@ -69,9 +75,11 @@ pub fn run() -> ExitCode {
         Some(Command::Render(render)) => render.run(),
         Some(Command::Trace(trace)) => trace.run(),
         Some(Command::Probe(probe)) => probe.run(),
+        Some(Command::Export(export)) => export.run(),
         Some(Command::Scenes(scenes)) => scenes.run(),
         Some(Command::Schema(schema)) => schema.run(),
         Some(Command::Stability(stability)) => stability.run(),
+        Some(Command::Bench(bench)) => bench.run(),
     };
     outcome.map_or_else(failure::Failure::report, |()| ExitCode::SUCCESS)
 }

@@ -82,7 +82,13 @@ impl SceneArgument {
 }
 
 impl SizeArguments {
-    fn apply(self, scene: Image) -> Result<Image, Failure> {
+    /// So many columns, and rows in proportion.
+    pub const fn of_width(width: Option<u32>) -> Self {
+        Self { width, height: None }
+    }
+
+    /// The size asked for, in proportion to the scene's where only one side is given.
+    pub fn apply(self, scene: Image) -> Result<Image, Failure> {
         let (width, height) = match (self.width, self.height) {
             (Some(width), Some(height)) => (width, height),
             (Some(width), None) => (width, proportional(width, scene.height, scene.width)),

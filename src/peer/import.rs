@@ -80,9 +80,11 @@ pub fn import(text: &str) -> Result<String, String> {
         return Err(format!("its format is `{}`; only `{FORMAT}` is read", peer.format));
     }
     let levels = peer.max_depth.checked_sub(1).ok_or("max_depth is 0; the camera rays are level 1")?;
-    let objects = peer.objects.iter().enumerate().map(|(k, solid)| {
-        solid.to_file().map_err(|message| format!("objects[{k}]: {message}"))
-    });
+    let objects = peer
+        .objects
+        .iter()
+        .enumerate()
+        .map(|(k, solid)| solid.to_file().map_err(|message| format!("objects[{k}]: {message}")));
     let scene = json!({
         "title": peer.name,
         "about": peer.about,
@@ -163,7 +165,7 @@ mod tests {
         let unknown = import(&peer(r#"{"shape": "blob", "material": "m"}"#)).unwrap_err();
         assert!(unknown.contains("unknown variant `blob`"), "{unknown}");
         let checker = import(&peer("").replace(r#""type": "solid""#, r#""type": "checker""#)).unwrap_err();
-        assert!(checker.contains("unknown variant `checker`") && checker.contains("line 4"), "{checker}");
+        assert!(checker.contains("unknown variant `checker`") && checker.contains("line 5"), "{checker}");
         let lens = import(&peer("").replacen('{', r#"{"dof": {},"#, 1)).unwrap_err();
         assert!(lens.contains("unknown field `dof`"), "{lens}");
         let newer = import(&peer("").replace("peer-scene/1", "peer-scene/2")).unwrap_err();

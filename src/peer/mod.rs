@@ -3,7 +3,10 @@
 mod agreement;
 mod camera;
 mod import;
+mod povray;
+mod povray_material;
 mod solid;
 
 pub use agreement::Agreement;
 pub use import::import;
+pub use povray::to_povray;

@@ -60,6 +60,12 @@ impl Superellipsoid {
         }
         Ok(Self { exponents: Exponents::new(n, m) })
     }
+
+    /// The exponents n, of x and y, and m, of z.
+    #[must_use]
+    pub fn exponents(&self) -> [f64; 2] {
+        [self.exponents.of_axis(0), self.exponents.of_axis(2)]
+    }
 }
 
 /// cos and sin to the power 2 / exponent, with their signs: a curve on which |a|^exponent + |b|^exponent = 1.

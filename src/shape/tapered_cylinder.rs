@@ -100,6 +100,12 @@ impl TaperedCylinder {
         Err(format!("s is {s}; the cap's radius needs to be 0 or more"))
     }
 
+    /// The radius of the cap.
+    #[must_use]
+    pub const fn s(self) -> f64 {
+        self.s
+    }
+
     /// The radius at height z.
     #[must_use]
     pub fn radius(self, z: f64) -> f64 {

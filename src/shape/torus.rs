@@ -60,6 +60,12 @@ impl Torus {
         Err(format!("d is {d}; the distance from the axis to the middle of the tube needs to be more than 0"))
     }
 
+    /// The distance from the axis to the middle of the tube.
+    #[must_use]
+    pub const fn d(self) -> f64 {
+        self.d
+    }
+
     /// How far the line passes outside of the ball of radius d + 1, in squares.
     fn distance_call<A: Real>(self, line: &Line<A>) -> Call {
         let reach = (self.d + 1.0) * (self.d + 1.0);

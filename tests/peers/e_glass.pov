@@ -7,7 +7,7 @@ camera { perspective location <0.0,2.6,-7.5> direction <0.0,-0.2210590306428248,
   right <-0.9326153163099972,0.0,0.0> up <0.0,0.6821571103217848,0.15462227833960457> }
 light_source { <6.0,10.0,-8.0> rgb <0.7,0.7,0.7> }
 light_source { <-8.0,7.0,-3.0> rgb <0.4,0.4,0.4> }
-#declare MAT_glass = material { texture { pigment { rgbt <1.0,1.0,1.0,0.85> } finish { ambient 0.0 diffuse 0.1 phong 0.6 phong_size 80 reflection 0.1 } } interior { ior 1.5 } }
+#declare MAT_glass = material { texture { pigment { rgbt <1.0,1.0,1.0,0.85> } finish { ambient 0.0 diffuse 0.1 phong 0.6 phong_size 80 reflection 0.15 } } interior { ior 1.5 } }
 #declare MAT_floor = material { texture { pigment { rgbt <0.9,0.9,0.9,0.0> } finish { ambient 0.1 diffuse 0.65 phong 0.0 phong_size 40 } } }
 #declare MAT_red = material { texture { pigment { rgbt <0.9,0.2,0.15,0.0> } finish { ambient 0.1 diffuse 0.65 phong 0.5 phong_size 40 } } }
 plane { <0.0,1.0,0.0>, -0.001 material { MAT_floor } }

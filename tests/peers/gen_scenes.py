@@ -188,7 +188,8 @@ def csg():
 
 
 def glass():
-    g = solid((1, 1, 1), ambient=0.0, diffuse=0.1, phong=0.6, phong_size=80, reflection=0.1, transmit=0.85, ior=1.5)
+    # reflection and transmit make 1 together: where all light is reflected POV-Ray weighs it with 1, others with their sum.
+    g = solid((1, 1, 1), ambient=0.0, diffuse=0.1, phong=0.6, phong_size=80, reflection=0.15, transmit=0.85, ior=1.5)
     floor = solid((0.9, 0.9, 0.9), phong=0.0)
     l = lens("glass")
     l["matrix"] = affine(rot((0, 1, 0), 35), (1.2,) * 3, (0.0, 1.25, -0.5))

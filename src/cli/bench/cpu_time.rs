@@ -1,0 +1,48 @@
+//! How long a thread has worked, not counting what it waited for.
+
+use std::fs;
+use std::thread;
+use std::time::{Duration, Instant};
+
+/// Where Linux says how many nanoseconds this thread has run.
+const SCHEDULER: &str = "/proc/thread-self/schedstat";
+
+/// A rest in which the scheduler brings its account up to date; while a thread runs, that happens only every few
+/// milliseconds. Any length will do.
+const REST: Duration = Duration::from_micros(1);
+
+/// Whether times are CPU times here; elsewhere they are those of the clock on the wall.
+pub fn is_cpu_time() -> bool {
+    worked().is_some()
+}
+
+/// Does the work and says how long this thread took for it.
+pub fn cpu_time<T>(work: impl FnOnce() -> T) -> (Duration, T) {
+    let (began, before) = (Instant::now(), worked());
+    let result = work();
+    let taken = match (before, worked()) {
+        (Some(before), Some(after)) => after.saturating_sub(before),
+        _ => began.elapsed(),
+    };
+    (taken, result)
+}
+
+/// The time that this thread has run.
+fn worked() -> Option<Duration> {
+    thread::sleep(REST);
+    let text = fs::read_to_string(SCHEDULER).ok()?;
+    text.split_whitespace().next()?.parse().ok().map(Duration::from_nanos)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn even_a_short_time_is_more_than_none_and_no_longer_than_the_clock_says() {
+        let clock = Instant::now();
+        let (taken, sum) = cpu_time(|| (0..20_000_u64).fold(1_u64, |sum, k| sum.wrapping_mul(31) ^ k));
+        assert_ne!(sum, 0);
+        assert!(taken > Duration::ZERO && taken <= clock.elapsed(), "{taken:?} of {:?}", clock.elapsed());
+    }
+}
