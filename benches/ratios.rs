@@ -6,6 +6,7 @@
 mod common;
 
 use common::{CONTESTANTS, RAYS, rays, shapes};
+use rayscope::shape::Crossings;
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
@@ -22,7 +23,7 @@ fn main() {
     println!("{:152}{:>12}", "", "textbook");
     for (name, shape) in shapes() {
         let rays = rays(&shape);
-        let mut crossings = Vec::with_capacity(64);
+        let mut crossings = Crossings::new();
         let mut nanoseconds = CONTESTANTS.map(|_| Vec::new());
         let began = Instant::now();
         while began.elapsed() < TURNS_TAKE || nanoseconds[0].len() < 9 {

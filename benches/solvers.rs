@@ -4,6 +4,7 @@ mod common;
 
 use common::{CONTESTANTS, RAYS, rays, shapes};
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
+use rayscope::shape::Crossings;
 use std::hint::black_box;
 
 fn solvers(criterion: &mut Criterion) {
@@ -12,7 +13,7 @@ fn solvers(criterion: &mut Criterion) {
         let mut group = criterion.benchmark_group(name);
         group.throughput(Throughput::Elements(RAYS as u64));
         for (solver, call) in CONTESTANTS {
-            let mut crossings = Vec::with_capacity(64);
+            let mut crossings = Crossings::new();
             group.bench_function(BenchmarkId::from_parameter(solver), |bencher| {
                 bencher.iter(|| call(black_box(&shape), black_box(&rays), &mut crossings));
             });

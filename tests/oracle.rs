@@ -7,7 +7,7 @@ use rayscope::accuracy::judge;
 use rayscope::accuracy::oracle::{Case, Target, cases};
 use rayscope::math::{DoubleDouble, Real};
 use rayscope::record::{NullRecorder, Sense};
-use rayscope::shape::{Crossing, GenericRay, HalfSpace, Part, Primitive, Shape};
+use rayscope::shape::{Crossings, GenericRay, HalfSpace, Part, Primitive, Shape};
 
 /// Cases that are judged wrong today, with the reason. A cure has to take them off this list.
 const KNOWN_FAILURES: &[(&str, &str)] = &[];
@@ -15,8 +15,8 @@ const KNOWN_FAILURES: &[(&str, &str)] = &[];
 /// The largest error that any hit may have, in units of what the input's last digit can move it by.
 const WORST_ERROR: f64 = 16.0;
 
-fn solve<A: Real>(shape: &Shape, case: &Case) -> Vec<Crossing> {
-    let mut crossings = Vec::new();
+fn solve<A: Real>(shape: &Shape, case: &Case) -> Crossings {
+    let mut crossings = Crossings::new();
     let ray = GenericRay::<A>::new(case.origin, case.direction);
     shape.crossings(&ray, &mut NullRecorder, &mut crossings);
     crossings

@@ -5,7 +5,7 @@ use rayscope::accuracy::Random;
 use rayscope::math::{Alone, DoubleDouble, Real};
 use rayscope::record::NullRecorder;
 use rayscope::shape::{
-    Cone, ConvexPolyhedron, Crossing, Cube, Cylinder, GenericRay, HalfSpace, Plane, Primitive, Shape, Sphere, Square,
+    Cone, ConvexPolyhedron, Crossings, Cube, Cylinder, GenericRay, HalfSpace, Plane, Primitive, Shape, Sphere, Square,
     Superellipsoid, TaperedCylinder, Torus, textbook,
 };
 
@@ -51,7 +51,7 @@ pub fn rays(shape: &Shape) -> Vec<(DVec3, DVec3)> {
 }
 
 /// The program's solver on all rays; the number of crossings, so that nothing can be left out.
-pub fn solve<A: Real>(shape: &Shape, rays: &[(DVec3, DVec3)], crossings: &mut Vec<Crossing>) -> usize {
+pub fn solve<A: Real>(shape: &Shape, rays: &[(DVec3, DVec3)], crossings: &mut Crossings) -> usize {
     let mut found = 0;
     for &(origin, direction) in rays {
         crossings.clear();
@@ -62,7 +62,7 @@ pub fn solve<A: Real>(shape: &Shape, rays: &[(DVec3, DVec3)], crossings: &mut Ve
 }
 
 /// The textbook's.
-pub fn by_the_book(shape: &Shape, rays: &[(DVec3, DVec3)], crossings: &mut Vec<Crossing>) -> usize {
+pub fn by_the_book(shape: &Shape, rays: &[(DVec3, DVec3)], crossings: &mut Crossings) -> usize {
     let mut found = 0;
     for &(origin, direction) in rays {
         crossings.clear();
@@ -73,7 +73,7 @@ pub fn by_the_book(shape: &Shape, rays: &[(DVec3, DVec3)], crossings: &mut Vec<C
 }
 
 /// A call with its name.
-pub type Contestant = (&'static str, fn(&Shape, &[(DVec3, DVec3)], &mut Vec<Crossing>) -> usize);
+pub type Contestant = (&'static str, fn(&Shape, &[(DVec3, DVec3)], &mut Crossings) -> usize);
 
 /// The calls that are compared.
 pub const CONTESTANTS: [Contestant; 4] = [

@@ -4,7 +4,7 @@ use super::oracle::Target;
 use crate::csg::{Node, Solid};
 use crate::math::{Alone, DoubleDouble, Real};
 use crate::record::{NullRecorder, Operator};
-use crate::shape::{Crossing, GenericRay, Primitive, textbook};
+use crate::shape::{Crossings, GenericRay, Primitive, textbook};
 use glam::DVec3;
 
 /// A way to find hits.
@@ -63,7 +63,7 @@ impl Contender {
 fn with<A: Real>(target: &Target, origin: DVec3, direction: DVec3) -> Vec<f64> {
     match target {
         Target::Shape(shape) => {
-            let mut found = Vec::new();
+            let mut found = Crossings::new();
             shape.crossings(&GenericRay::<A>::new(origin, direction), &mut NullRecorder, &mut found);
             found.iter().map(|hit| hit.t).collect()
         }
@@ -74,10 +74,10 @@ fn with<A: Real>(target: &Target, origin: DVec3, direction: DVec3) -> Vec<f64> {
     }
 }
 
-fn by_the_book(target: &Target, origin: DVec3, direction: DVec3) -> Vec<Crossing> {
+fn by_the_book(target: &Target, origin: DVec3, direction: DVec3) -> Crossings {
     match target {
         Target::Shape(shape) => {
-            let mut found = Vec::new();
+            let mut found = Crossings::new();
             textbook::crossings(shape, &GenericRay::new(origin, direction), &mut found);
             found
         }
@@ -85,11 +85,11 @@ fn by_the_book(target: &Target, origin: DVec3, direction: DVec3) -> Vec<Crossing
     }
 }
 
-fn node_by_the_book(solid: &Solid, node: &Node, origin: DVec3, direction: DVec3) -> Vec<Crossing> {
+fn node_by_the_book(solid: &Solid, node: &Node, origin: DVec3, direction: DVec3) -> Crossings {
     match node {
         Node::Leaf { leaf, .. } => {
             let leaf = &solid.leaves[*leaf];
-            let mut found = Vec::new();
+            let mut found = Crossings::new();
             textbook::crossings(&leaf.shape, &leaf.placement.generic_ray(origin, direction), &mut found);
             found
         }
@@ -97,7 +97,7 @@ fn node_by_the_book(solid: &Solid, node: &Node, origin: DVec3, direction: DVec3)
             let [left, right] =
                 [*left, *right].map(|node| node_by_the_book(solid, &solid.nodes[node], origin, direction));
             let holds = |in_left, in_right| Operator::holds(*operator, in_left, in_right);
-            textbook::combine(holds, &left, &right)
+            textbook::combine(holds, &left, &right).into()
         }
     }
 }

@@ -10,7 +10,7 @@ use super::random::Random;
 use super::subject::Subject;
 use crate::math::{DoubleDouble, Real};
 use crate::record::NullRecorder;
-use crate::shape::{Crossing, GenericRay, Primitive, Shape};
+use crate::shape::{Crossing, Crossings, GenericRay, Primitive, Shape};
 use glam::DVec3;
 use rayon::prelude::*;
 
@@ -109,7 +109,7 @@ fn most(mut errors: Vec<f64>) -> f64 {
 /// The exact hits, each with its floor.
 fn exact(shape: &Shape, origin: DVec3, direction: DVec3) -> Vec<(f64, f64)> {
     let ray = GenericRay::<DoubleDouble>::new(origin, direction);
-    let mut found: Vec<Crossing> = Vec::new();
+    let mut found = Crossings::new();
     shape.crossings(&ray, &mut NullRecorder, &mut found);
     let floor = |hit: &Crossing| {
         let tau = hit.t / ray.t_per_tau;

@@ -11,8 +11,8 @@
 //! never lose a hit that the solver behind it would find, so it is written for [`Course`].
 
 use super::{Course, Extent};
-use glam::DVec3;
 use arrayvec::ArrayVec;
+use glam::DVec3;
 
 /// Children of a node.
 const WIDTH: usize = 4;

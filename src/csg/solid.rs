@@ -5,7 +5,7 @@ use super::report;
 use super::{Boundary, Course, Extent, IntervalList, Placement};
 use crate::math::{DoubleDouble, Real};
 use crate::record::{Counter, NullRecorder, Operator, Recorder, Sense};
-use crate::shape::{Bounds, Primitive, Shape};
+use crate::shape::{Bounds, Crossings, Primitive, Shape};
 use glam::DVec3;
 use std::cell::Cell;
 
@@ -308,7 +308,7 @@ impl<'a> Query<'a> {
         recorder.count(Counter::ShapeTest(leaf.shape.index()));
         recorder.note(|| report::transform(leaf, self.course.origin, self.course.direction));
         let ray = leaf.placement.generic_ray::<A>(self.course.origin, self.course.direction);
-        let mut crossings = Vec::with_capacity(4);
+        let mut crossings = Crossings::new();
         leaf.shape.crossings(&ray, recorder, &mut crossings);
         if crossings.is_empty() && extent.is_unbounded() && leaf.shape.implicit(ray.point(A::ZERO)) < 0.0 {
             return IntervalList::starting(true);
@@ -324,7 +324,7 @@ impl<'a> Query<'a> {
         }
         recorder.count(Counter::ShapeTest(leaf.shape.index()));
         let ray = leaf.placement.generic_ray::<f64>(self.course.origin, self.course.direction);
-        let mut crossings = Vec::with_capacity(4);
+        let mut crossings = Crossings::new();
         leaf.shape.crossings(&ray, recorder, &mut crossings);
         let first = crossings.iter().find(|crossing| crossing.t > 0.0)?;
         Some((Boundary::of_crossing(index, first), first.sense))

@@ -1,6 +1,6 @@
 //! From a solver's roots to a primitive's crossings.
 
-use super::{Crossing, Part};
+use super::{Crossing, Crossings, Part};
 use crate::record::{Certificate, Sense};
 
 /// A place where a solver found the surface crossed, in the solver's own parameter.
@@ -22,13 +22,13 @@ pub(super) trait Boundaries {
     /// is thinner than the last digit of t: a stretch inside is there all the same, a gap is none. So far away that squares overflow nothing is known, and nothing is hit.
     /// Near a tangent the bound on the error grows without limit, but two boundaries that were told apart do not change
     /// places: neither is off by more than half the distance to the other.
-    fn append(self, first: Sense, t_per_tau: f64, certificate: Certificate, crossings: &mut Vec<Crossing>);
+    fn append(self, first: Sense, t_per_tau: f64, certificate: Certificate, crossings: &mut Crossings);
 }
 
 /// At most one, of a surface that a line meets once.
 impl Boundaries for Option<Root> {
     #[inline]
-    fn append(self, first: Sense, t_per_tau: f64, certificate: Certificate, crossings: &mut Vec<Crossing>) {
+    fn append(self, first: Sense, t_per_tau: f64, certificate: Certificate, crossings: &mut Crossings) {
         let crossing = self.map(|root| crossing(root, t_per_tau, first, certificate));
         crossings.extend(crossing.filter(|crossing| !crossing.t.is_nan()));
     }
@@ -37,7 +37,7 @@ impl Boundaries for Option<Root> {
 /// None or two, of a convex solid.
 impl Boundaries for Option<[Root; 2]> {
     #[inline]
-    fn append(self, first: Sense, t_per_tau: f64, certificate: Certificate, crossings: &mut Vec<Crossing>) {
+    fn append(self, first: Sense, t_per_tau: f64, certificate: Certificate, crossings: &mut Crossings) {
         let ends = self.and_then(|roots| stretch(roots, first, t_per_tau, certificate));
         if let Some(ends) = ends {
             crossings.extend_from_slice(&ends);
@@ -64,7 +64,7 @@ pub(super) fn append_stretch(
     start: usize,
     certificate: Certificate,
     t_per_tau: f64,
-    crossings: &mut Vec<Crossing>,
+    crossings: &mut Crossings,
 ) {
     let Some([mut enter, leave]) = stretch(roots, Sense::Enter, t_per_tau, certificate) else { return };
     if let Some(before) = crossings[start..].last_mut() {
@@ -110,13 +110,13 @@ impl<const N: usize> AsRef<[Root]> for Roots<N> {
 
 impl<const N: usize> Boundaries for Roots<N> {
     #[inline]
-    fn append(self, first: Sense, t_per_tau: f64, certificate: Certificate, crossings: &mut Vec<Crossing>) {
+    fn append(self, first: Sense, t_per_tau: f64, certificate: Certificate, crossings: &mut Crossings) {
         append_alternating(self.as_ref(), first, t_per_tau, certificate, crossings);
     }
 }
 
 impl<const N: usize> Boundaries for &Roots<N> {
-    fn append(self, first: Sense, t_per_tau: f64, certificate: Certificate, crossings: &mut Vec<Crossing>) {
+    fn append(self, first: Sense, t_per_tau: f64, certificate: Certificate, crossings: &mut Crossings) {
         append_alternating(self.as_ref(), first, t_per_tau, certificate, crossings);
     }
 }
@@ -127,7 +127,7 @@ pub(super) fn append_alternating(
     first: Sense,
     t_per_tau: f64,
     certificate: Certificate,
-    crossings: &mut Vec<Crossing>,
+    crossings: &mut Crossings,
 ) {
     let start = crossings.len();
     let (mut sense, mut before) = (first, f64::NEG_INFINITY);

@@ -25,7 +25,7 @@
 use super::boundary::Boundaries;
 use super::planes::{self, Clip};
 use super::solver::{self, Attempt, Call, Solver};
-use super::{Bounds, Crossing, GenericRay, Part, Primitive, outline, plane_table};
+use super::{Bounds, Crossing, Crossings, GenericRay, Part, Primitive, outline, plane_table};
 use crate::math::{DoubleDouble, Real, dot, scale_to_unit};
 use crate::record::{Candidate, Entry, Recorder};
 use glam::{DVec2, DVec3};
@@ -220,7 +220,7 @@ impl Solver for ConvexPolyhedron {
 }
 
 impl Primitive for ConvexPolyhedron {
-    fn crossings<A: Real>(&self, ray: &GenericRay<A>, recorder: &mut impl Recorder, crossings: &mut Vec<Crossing>) {
+    fn crossings<A: Real>(&self, ray: &GenericRay<A>, recorder: &mut impl Recorder, crossings: &mut Crossings) {
         solver::crossings(self, ray, recorder, crossings);
     }
 

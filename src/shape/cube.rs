@@ -28,7 +28,7 @@
 
 use super::boundary::{Boundaries, Root};
 use super::solver::{self, Attempt, Call, Solver};
-use super::{Bounds, Crossing, GenericRay, HalfSpace, Part, Primitive, plane_table};
+use super::{Bounds, Crossing, Crossings, GenericRay, HalfSpace, Part, Primitive, plane_table};
 use crate::math::{Pair, Real};
 use crate::record::{Candidate, Entry, Recorder};
 use glam::{DVec2, DVec3};
@@ -263,7 +263,7 @@ impl Solver for Cube {
 
 impl Primitive for Cube {
     #[inline]
-    fn crossings<A: Real>(&self, ray: &GenericRay<A>, recorder: &mut impl Recorder, crossings: &mut Vec<Crossing>) {
+    fn crossings<A: Real>(&self, ray: &GenericRay<A>, recorder: &mut impl Recorder, crossings: &mut Crossings) {
         solver::crossings(self, ray, recorder, crossings);
     }
 

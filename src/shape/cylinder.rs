@@ -11,7 +11,7 @@
 //! **Equation** F of the wall is x² + y² − 1, or x² + y² − (1 − z)²; see `tapered_cylinder.rs` for this and for everything
 //! else: **Ray equation**, **Accuracy**, **Degenerate cases**, **Source**. Both are that solid, under names of their own.
 
-use super::{Bounds, Crossing, GenericRay, Part, Primitive, TaperedCylinder};
+use super::{Bounds, Crossings, GenericRay, Part, Primitive, TaperedCylinder};
 use crate::math::Real;
 use crate::record::Recorder;
 use glam::{DVec2, DVec3};
@@ -37,7 +37,7 @@ macro_rules! tapered {
                 &self,
                 ray: &GenericRay<A>,
                 recorder: &mut impl Recorder,
-                crossings: &mut Vec<Crossing>,
+                crossings: &mut Crossings,
             ) {
                 self.0.crossings(ray, recorder, crossings);
             }

@@ -38,7 +38,7 @@ pub use convex_polyhedron::{ConvexPolyhedron, HalfSpace};
 pub use cube::Cube;
 pub use cylinder::{Cone, Cylinder};
 pub use plane::Plane;
-pub use primitive::{Bounds, Crossing, GenericRay, Part, Primitive};
+pub use primitive::{Bounds, Crossing, Crossings, GenericRay, Part, Primitive};
 pub use sphere::Sphere;
 pub use square::Square;
 pub use superellipsoid::Superellipsoid;
@@ -105,7 +105,7 @@ macro_rules! define_shape {
         }
 
         impl Primitive for Shape {
-            fn crossings<A: Real>(&self, ray: &GenericRay<A>, recorder: &mut impl Recorder, crossings: &mut Vec<Crossing>) {
+            fn crossings<A: Real>(&self, ray: &GenericRay<A>, recorder: &mut impl Recorder, crossings: &mut Crossings) {
                 match self { $(Self::$variant(shape) => shape.crossings(ray, recorder, crossings),)* }
             }
 

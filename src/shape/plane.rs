@@ -21,7 +21,7 @@
 
 use super::boundary::{Boundaries, Root};
 use super::solver::{self, Attempt, Call, Solver};
-use super::{Bounds, Crossing, GenericRay, Part, Primitive, plane_table};
+use super::{Bounds, Crossing, Crossings, GenericRay, Part, Primitive, plane_table};
 use crate::math::Real;
 use crate::record::{Candidate, Entry, Recorder, Sense};
 use glam::{DVec2, DVec3};
@@ -83,7 +83,7 @@ impl Solver for Plane {
 }
 
 impl Primitive for Plane {
-    fn crossings<A: Real>(&self, ray: &GenericRay<A>, recorder: &mut impl Recorder, crossings: &mut Vec<Crossing>) {
+    fn crossings<A: Real>(&self, ray: &GenericRay<A>, recorder: &mut impl Recorder, crossings: &mut Crossings) {
         solver::crossings(self, ray, recorder, crossings);
     }
 

@@ -3,6 +3,7 @@
 use crate::math::{DoubleDouble, Real, Traced, WideMap, dot, scale_to_unit};
 use crate::record::{Certificate, Recorder, Sense};
 use glam::{DVec2, DVec3};
+use smallvec::SmallVec;
 
 /// A ray S + c t in a primitive's generic coordinates, in the arithmetic `A`.
 ///
@@ -245,6 +246,10 @@ pub struct Crossing {
     pub certificate: Certificate,
 }
 
+/// The crossings of a ray with one primitive. A torus has four at most, and few rays have more; so the allocator is seldom
+/// asked.
+pub type Crossings = SmallVec<[Crossing; 4]>;
+
 /// The primitive's box in its generic coordinates; infinite where unbounded.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bounds {
@@ -266,7 +271,7 @@ pub trait Primitive {
     /// The working is reported to `recorder` (plane table, quadratic, quartic, search), then the implicit function d(t),
     /// and at last every hit time that was looked at ([`What::Roots`](crate::record::What::Roots)). The `Primitive` event
     /// around them is the caller's.
-    fn crossings<A: Real>(&self, ray: &GenericRay<A>, recorder: &mut impl Recorder, crossings: &mut Vec<Crossing>);
+    fn crossings<A: Real>(&self, ray: &GenericRay<A>, recorder: &mut impl Recorder, crossings: &mut Crossings);
 
     /// An outward normal at a point of the given part, in generic coordinates; not unit.
     ///

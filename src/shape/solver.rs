@@ -10,7 +10,7 @@
 //! Computational Geometry 18 (1997), for filters in front of dearer arithmetic.
 
 use super::boundary::Boundaries;
-use super::{Crossing, GenericRay, Primitive, report};
+use super::{Crossing, Crossings, GenericRay, Primitive, report};
 use crate::math::{Real, Traced, counted};
 use crate::record::{Candidate, Certificate, Entry, Recorder, Sense, Tier, What};
 
@@ -93,7 +93,7 @@ pub(super) fn crossings<A: Real, R: Recorder>(
     solver: &impl Solver,
     ray: &GenericRay<A>,
     recorder: &mut R,
-    crossings: &mut Vec<Crossing>,
+    crossings: &mut Crossings,
 ) {
     let attempt = solver.solve(ray);
     if attempt.decided || A::FINEST {
@@ -112,7 +112,7 @@ fn fall_back<A: Real, R: Recorder>(
     solver: &impl Solver,
     ray: &GenericRay<A>,
     recorder: &mut R,
-    crossings: &mut Vec<Crossing>,
+    crossings: &mut Crossings,
 ) {
     let wide = ray.widen();
     let Attempt { found, .. } = solver.solve(&wide);
@@ -134,7 +134,7 @@ fn deliver<S: Solver, A: Real, R: Recorder>(
     found: &S::Found<A>,
     certificate: Certificate,
     recorder: &mut R,
-    crossings: &mut Vec<Crossing>,
+    crossings: &mut Crossings,
     tiers: impl FnOnce() -> Vec<(Tier, Call)>,
 ) {
     let begin = crossings.len();

@@ -27,7 +27,7 @@
 
 use super::boundary::{Boundaries, Root};
 use super::solver::{self, Attempt, Call, Solver};
-use super::{Bounds, Crossing, GenericRay, Part, Primitive, outline, report};
+use super::{Bounds, Crossing, Crossings, GenericRay, Part, Primitive, outline, report};
 use crate::math::{Real, cross, dot};
 use crate::record::{Candidate, Entry, Recorder, Value, What};
 use glam::{DVec2, DVec3};
@@ -136,7 +136,7 @@ fn moved<A: Real>(ray: &GenericRay<A>, moment: [A; 3]) -> f64 {
 
 impl Primitive for Sphere {
     #[inline]
-    fn crossings<A: Real>(&self, ray: &GenericRay<A>, recorder: &mut impl Recorder, crossings: &mut Vec<Crossing>) {
+    fn crossings<A: Real>(&self, ray: &GenericRay<A>, recorder: &mut impl Recorder, crossings: &mut Crossings) {
         solver::crossings(self, ray, recorder, crossings);
     }
 

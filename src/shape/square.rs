@@ -24,7 +24,7 @@
 
 use super::boundary::{Boundaries, Root};
 use super::solver::{self, Attempt, Call, Solver};
-use super::{Bounds, Crossing, GenericRay, Part, Primitive, plane_table, report};
+use super::{Bounds, Crossing, Crossings, GenericRay, Part, Primitive, plane_table, report};
 use crate::math::Real;
 use crate::record::{Candidate, Entry, Recorder, Sense, format_number};
 use glam::{DVec2, DVec3};
@@ -127,7 +127,7 @@ impl Solver for Square {
 }
 
 impl Primitive for Square {
-    fn crossings<A: Real>(&self, ray: &GenericRay<A>, recorder: &mut impl Recorder, crossings: &mut Vec<Crossing>) {
+    fn crossings<A: Real>(&self, ray: &GenericRay<A>, recorder: &mut impl Recorder, crossings: &mut Crossings) {
         solver::crossings(self, ray, recorder, crossings);
     }
 

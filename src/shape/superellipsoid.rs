@@ -35,7 +35,7 @@ use super::gauge::Exponents;
 use super::solver::{self, Attempt, Call, Solver};
 use super::superellipsoid_line::Line;
 use super::superellipsoid_search::{Findings, search};
-use super::{Bounds, Crossing, GenericRay, Part, Primitive, report};
+use super::{Bounds, Crossing, Crossings, GenericRay, Part, Primitive, report};
 use crate::math::Real;
 use crate::record::{Candidate, Entry, Recorder, Value, What, format_number};
 use glam::{DVec2, DVec3};
@@ -138,7 +138,7 @@ impl Superellipsoid {
 
 impl Primitive for Superellipsoid {
     #[inline]
-    fn crossings<A: Real>(&self, ray: &GenericRay<A>, recorder: &mut impl Recorder, crossings: &mut Vec<Crossing>) {
+    fn crossings<A: Real>(&self, ray: &GenericRay<A>, recorder: &mut impl Recorder, crossings: &mut Crossings) {
         solver::crossings(self, ray, recorder, crossings);
     }
 

@@ -32,7 +32,7 @@
 use super::boundary::{Boundaries, Root};
 use super::solver::{self, Attempt, Call, Solver};
 use super::tapered_wall::Wall;
-use super::{Bounds, Crossing, GenericRay, HalfSpace, Part, Primitive, outline, plane_table, report};
+use super::{Bounds, Crossing, Crossings, GenericRay, HalfSpace, Part, Primitive, outline, plane_table, report};
 use crate::math::Real;
 use crate::record::{Candidate, Entry, Recorder, Sense, format_number};
 use glam::{DVec2, DVec3};
@@ -244,7 +244,7 @@ fn height<A: Real>(ray: &GenericRay<A>) -> Call {
 
 impl Primitive for TaperedCylinder {
     #[inline]
-    fn crossings<A: Real>(&self, ray: &GenericRay<A>, recorder: &mut impl Recorder, crossings: &mut Vec<Crossing>) {
+    fn crossings<A: Real>(&self, ray: &GenericRay<A>, recorder: &mut impl Recorder, crossings: &mut Crossings) {
         solver::crossings(self, ray, recorder, crossings);
     }
 

@@ -1,6 +1,6 @@
 //! What the tests of shapes share.
 
-use super::{Crossing, GenericRay, Primitive};
+use super::{Crossings, GenericRay, Primitive};
 use crate::math::Real;
 use crate::record::{Counter, Entry, NullRecorder, Recorder, Sense, What};
 use glam::DVec3;
@@ -13,8 +13,8 @@ pub(super) trait Samples: Primitive + Sized {
 }
 
 /// All crossings of the ray S + c t.
-pub(super) fn solve<A: Real>(shape: &impl Primitive, origin: DVec3, direction: DVec3) -> Vec<Crossing> {
-    let mut crossings = Vec::new();
+pub(super) fn solve<A: Real>(shape: &impl Primitive, origin: DVec3, direction: DVec3) -> Crossings {
+    let mut crossings = Crossings::new();
     shape.crossings(&GenericRay::<A>::new(origin, direction), &mut NullRecorder, &mut crossings);
     crossings
 }
@@ -53,8 +53,8 @@ impl Recorder for Kept {
 }
 
 /// Everything that the shape reports on the ray S + c t.
-pub(super) fn record(shape: &impl Primitive, origin: DVec3, direction: DVec3) -> (Vec<What>, Vec<Crossing>) {
-    let (mut kept, mut crossings) = (Kept::default(), Vec::new());
+pub(super) fn record(shape: &impl Primitive, origin: DVec3, direction: DVec3) -> (Vec<What>, Crossings) {
+    let (mut kept, mut crossings) = (Kept::default(), Crossings::new());
     shape.crossings(&GenericRay::<f64>::new(origin, direction), &mut kept, &mut crossings);
     (kept.0.into_iter().map(|entry| entry.what).collect(), crossings)
 }

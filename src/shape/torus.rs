@@ -28,7 +28,7 @@ use super::boundary::{self, Boundaries};
 use super::solver::{self, Attempt, Call, Solver};
 use super::torus_quartic::{Line, Quartic, Turn, Turns};
 use super::torus_roots;
-use super::{Bounds, Crossing, GenericRay, Part, Primitive, outline, report};
+use super::{Bounds, Crossing, Crossings, GenericRay, Part, Primitive, outline, report};
 use crate::math::Real;
 use crate::record::{Candidate, Certificate, Entry, Recorder, Sense, Value, What};
 use glam::{DVec2, DVec3};
@@ -165,7 +165,7 @@ struct Stretches<'a, A> {
 
 impl<A: Real> Boundaries for Stretches<'_, A> {
     #[inline]
-    fn append(self, _first: Sense, t_per_tau: f64, certificate: Certificate, crossings: &mut Vec<Crossing>) {
+    fn append(self, _first: Sense, t_per_tau: f64, certificate: Certificate, crossings: &mut Crossings) {
         let Found::Near(quartic, turns) = self.found else { return };
         let start = crossings.len();
         turns.each_stretch(quartic.end, |stretch| {
@@ -184,7 +184,7 @@ fn hidden_times<A: Real>(quartic: &Quartic<A>, turns: &Turns<A>) -> Vec<f64> {
 
 impl Primitive for Torus {
     #[inline]
-    fn crossings<A: Real>(&self, ray: &GenericRay<A>, recorder: &mut impl Recorder, crossings: &mut Vec<Crossing>) {
+    fn crossings<A: Real>(&self, ray: &GenericRay<A>, recorder: &mut impl Recorder, crossings: &mut Crossings) {
         solver::crossings(self, ray, recorder, crossings);
     }
 
@@ -311,8 +311,8 @@ mod tests {
         Torus::new(d).unwrap()
     }
 
-    fn appended<A: Real>(ray: &GenericRay<A>, found: &Found<A>) -> Vec<Crossing> {
-        let mut crossings = Vec::new();
+    fn appended<A: Real>(ray: &GenericRay<A>, found: &Found<A>) -> Crossings {
+        let mut crossings = Crossings::new();
         Stretches { ray, found }.append(Sense::Enter, ray.t_per_tau, Certificate::Certain, &mut crossings);
         crossings
     }

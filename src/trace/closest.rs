@@ -106,7 +106,8 @@ impl Tracer<'_> {
         } else {
             IntervalList::default()
         };
-        recorder.end(|| Entry::new(What::Object { index, name: object.name.clone(), intervals: list.intervals().len() }));
+        recorder
+            .end(|| Entry::new(What::Object { index, name: object.name.clone(), intervals: list.intervals().len() }));
         list
     }
 

@@ -15,7 +15,7 @@ use exact::Exact;
 use glam::DVec3;
 use rayscope::math::Real;
 use rayscope::record::NullRecorder;
-use rayscope::shape::{Crossing, GenericRay, Primitive, Shape};
+use rayscope::shape::{Crossings, GenericRay, Primitive, Shape};
 
 /// How far the rounding of the ray's numbers can move it against the solid, in units of length.
 pub fn doubt(origin: DVec3) -> f64 {
@@ -30,8 +30,8 @@ pub fn determined(solid: &Exact, line: &Line, doubt: f64) -> Option<Vec<Big>> {
 }
 
 /// What the program finds.
-pub fn solve<A: Real>(shape: &Shape, origin: DVec3, direction: DVec3) -> Vec<Crossing> {
-    let mut crossings = Vec::new();
+pub fn solve<A: Real>(shape: &Shape, origin: DVec3, direction: DVec3) -> Crossings {
+    let mut crossings = Crossings::new();
     shape.crossings(&GenericRay::<A>::new(origin, direction), &mut NullRecorder, &mut crossings);
     crossings
 }

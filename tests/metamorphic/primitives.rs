@@ -5,13 +5,15 @@ use crate::support::{agree, compile, placed, ray_at, same, shapes, spans, transf
 use glam::DVec3;
 use rayscope::math::{DoubleDouble, Real};
 use rayscope::record::{NullRecorder, Sense};
-use rayscope::shape::{Crossing, Cube, GenericRay, Primitive, Shape, Sphere, Superellipsoid, TaperedCylinder, Torus};
+use rayscope::shape::{
+    Crossing, Crossings, Cube, GenericRay, Primitive, Shape, Sphere, Superellipsoid, TaperedCylinder, Torus,
+};
 use serde_json::json;
 
 const RAYS: usize = 400;
 
-fn solve<A: Real>(shape: &Shape, origin: DVec3, direction: DVec3) -> Vec<Crossing> {
-    let mut crossings = Vec::new();
+fn solve<A: Real>(shape: &Shape, origin: DVec3, direction: DVec3) -> Crossings {
+    let mut crossings = Crossings::new();
     shape.crossings(&GenericRay::<A>::new(origin, direction), &mut NullRecorder, &mut crossings);
     crossings
 }

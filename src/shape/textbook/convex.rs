@@ -12,7 +12,7 @@
 use super::crossing;
 use crate::math::dot;
 use crate::record::Sense;
-use crate::shape::{Crossing, GenericRay, HalfSpace, Part};
+use crate::shape::{Crossings, GenericRay, HalfSpace, Part};
 
 /// The stretch of the ray that is left, with the parts at its ends.
 #[derive(Clone, Copy)]
@@ -36,7 +36,7 @@ impl Stretch {
         }
     }
 
-    fn append(self, ray: &GenericRay<f64>, crossings: &mut Vec<Crossing>) {
+    fn append(self, ray: &GenericRay<f64>, crossings: &mut Crossings) {
         if self.enter.0 <= self.leave.0 {
             crossings.push(crossing(ray, self.enter.0, Sense::Enter, self.enter.1));
             crossings.push(crossing(ray, self.leave.0, Sense::Leave, self.leave.1));
@@ -48,7 +48,7 @@ impl Stretch {
 const FACES: [[Part; 2]; 3] = [[2, 3], [0, 1], [4, 5]];
 
 /// Three slabs after Kay and Kajiya: wrong within rounding of an edge.
-pub fn cube(ray: &GenericRay<f64>, crossings: &mut Vec<Crossing>) {
+pub fn cube(ray: &GenericRay<f64>, crossings: &mut Crossings) {
     let mut inside = Stretch::WHOLE;
     for (axis, [plus, minus]) in FACES.into_iter().enumerate() {
         let (start, speed) = (ray.origin[axis], ray.direction[axis]);
@@ -71,7 +71,7 @@ pub fn cube(ray: &GenericRay<f64>, crossings: &mut Vec<Crossing>) {
 }
 
 /// One plane after the other, after Cyrus and Beck: wrong within rounding of an edge, and from afar.
-pub fn polyhedron(planes: &[HalfSpace], ray: &GenericRay<f64>, crossings: &mut Vec<Crossing>) {
+pub fn polyhedron(planes: &[HalfSpace], ray: &GenericRay<f64>, crossings: &mut Crossings) {
     let mut inside = Stretch::WHOLE;
     for (part, plane) in (0..).zip(planes) {
         let normal = plane.normal.to_array();

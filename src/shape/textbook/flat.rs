@@ -7,13 +7,13 @@
 
 use super::crossing;
 use crate::record::Sense;
-use crate::shape::{Crossing, GenericRay};
+use crate::shape::{Crossings, GenericRay};
 
 /// Slopes below this count as parallel.
 const PARALLEL: f64 = 1e-4;
 
 /// Right but for half a unit in the last place of t.
-pub fn plane(ray: &GenericRay<f64>, crossings: &mut Vec<Crossing>) {
+pub fn plane(ray: &GenericRay<f64>, crossings: &mut Crossings) {
     let slope = ray.direction[2];
     if slope != 0.0 {
         let sense = if slope > 0.0 { Sense::Leave } else { Sense::Enter };
@@ -22,7 +22,7 @@ pub fn plane(ray: &GenericRay<f64>, crossings: &mut Vec<Crossing>) {
 }
 
 /// Wrong for slanting rays, which it calls parallel, and within rounding of an edge.
-pub fn square(ray: &GenericRay<f64>, crossings: &mut Vec<Crossing>) {
+pub fn square(ray: &GenericRay<f64>, crossings: &mut Crossings) {
     if ray.direction[2].abs() < PARALLEL {
         return;
     }

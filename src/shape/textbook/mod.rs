@@ -18,11 +18,11 @@ mod torus;
 
 pub use combine::combine;
 
-use super::{Crossing, GenericRay, Part, Shape};
+use super::{Crossing, Crossings, GenericRay, Part, Shape};
 use crate::record::{Certificate, Sense};
 
 /// Appends what the textbook's solver finds.
-pub fn crossings(shape: &Shape, ray: &GenericRay<f64>, crossings: &mut Vec<Crossing>) {
+pub fn crossings(shape: &Shape, ray: &GenericRay<f64>, crossings: &mut Crossings) {
     match shape {
         Shape::Plane(_) => flat::plane(ray, crossings),
         Shape::Square(_) => flat::square(ray, crossings),
@@ -43,7 +43,7 @@ fn crossing(ray: &GenericRay<f64>, tau: f64, sense: Sense, part: Part) -> Crossi
 }
 
 /// Sorts hit times and lets the ray go in and out by turns.
-fn append_alternating(ray: &GenericRay<f64>, hits: &mut [(f64, Part)], crossings: &mut Vec<Crossing>) {
+fn append_alternating(ray: &GenericRay<f64>, hits: &mut [(f64, Part)], crossings: &mut Crossings) {
     hits.sort_by(|a, b| a.0.total_cmp(&b.0));
     let senses = [Sense::Enter, Sense::Leave].into_iter().cycle();
     crossings.extend(hits.iter().zip(senses).map(|(&(tau, part), sense)| crossing(ray, tau, sense, part)));

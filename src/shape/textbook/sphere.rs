@@ -8,10 +8,10 @@
 
 use super::append_alternating;
 use crate::math::dot;
-use crate::shape::{Crossing, GenericRay};
+use crate::shape::{Crossings, GenericRay};
 
 /// Wrong from afar: the squares of S cancel.
-pub fn crossings(ray: &GenericRay<f64>, crossings: &mut Vec<Crossing>) {
+pub fn crossings(ray: &GenericRay<f64>, crossings: &mut Crossings) {
     let a = dot(ray.direction, ray.direction);
     let b = dot(ray.origin, ray.direction);
     let c = dot(ray.origin, ray.origin) - 1.0;

@@ -10,7 +10,7 @@
 
 use super::append_alternating;
 use crate::shape::gauge::Exponents;
-use crate::shape::{Crossing, GenericRay, Part};
+use crate::shape::{Crossings, GenericRay, Part};
 
 /// Stretches between samples. Fewer lose more chords, more cost more; none is enough.
 const STRETCHES: u8 = 33;
@@ -19,7 +19,7 @@ const STRETCHES: u8 = 33;
 const HALVINGS: u8 = 54;
 
 /// Wrong wherever the ray is inside for less than one step.
-pub fn crossings(exponents: Exponents, ray: &GenericRay<f64>, crossings: &mut Vec<Crossing>) {
+pub fn crossings(exponents: Exponents, ray: &GenericRay<f64>, crossings: &mut Crossings) {
     let Some([from, to]) = in_box(ray) else { return };
     let step = (to - from) / f64::from(STRETCHES);
     let d = |tau: f64| implicit(exponents, ray.at(tau));

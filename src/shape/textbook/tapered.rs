@@ -9,7 +9,7 @@
 //! **Source** F. S. Hill, Computer Graphics Using OpenGL, 2nd ed., § 14.7, the generic tapered cylinder.
 
 use super::append_alternating;
-use crate::shape::{Crossing, GenericRay, Part};
+use crate::shape::{Crossings, GenericRay, Part};
 
 const WALL: Part = 0;
 const BASE: Part = 1;
@@ -32,7 +32,7 @@ impl Hits {
 }
 
 /// Wrong at the rims, along a side, and from afar.
-pub fn crossings(s: f64, ray: &GenericRay<f64>, crossings: &mut Vec<Crossing>) {
+pub fn crossings(s: f64, ray: &GenericRay<f64>, crossings: &mut Crossings) {
     let mut hits = Hits::default();
     wall(s, ray, &mut hits);
     discs(s, ray, &mut hits);

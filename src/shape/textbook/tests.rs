@@ -8,8 +8,8 @@ use crate::shape::*;
 use glam::DVec3;
 use proptest::prelude::*;
 
-fn textbook(shape: &Shape, origin: [f64; 3], direction: [f64; 3]) -> Vec<Crossing> {
-    let mut found = Vec::new();
+fn textbook(shape: &Shape, origin: [f64; 3], direction: [f64; 3]) -> Crossings {
+    let mut found = Crossings::new();
     crossings(shape, &GenericRay::new(origin.into(), direction.into()), &mut found);
     found
 }

@@ -12,10 +12,10 @@
 use super::append_alternating;
 use super::ferrari::quartic_roots;
 use crate::math::dot;
-use crate::shape::{Crossing, GenericRay};
+use crate::shape::{Crossings, GenericRay};
 
 /// Wrong from afar, near tangents, and in the overlap of a spindle.
-pub fn crossings(d: f64, ray: &GenericRay<f64>, crossings: &mut Vec<Crossing>) {
+pub fn crossings(d: f64, ray: &GenericRay<f64>, crossings: &mut Crossings) {
     let coefficients = quartic(d, ray);
     let roots = quartic_roots(coefficients);
     let mut hits = roots.items.map(|tau| (tau, 0));
