@@ -14,11 +14,13 @@ Examples:
   rayscope export --povray csg/bowl -o bowl.pov
   povray +Ibowl.pov +W640 +H480
 
-Every number is written with all of its digits. A scene that POV-Ray's language cannot say (coloured highlights, transparent
-objects that may overlap, a torus whose tube overlaps itself) is refused with the reason, and nothing is written.
+Every number is written with all of its digits. A scene that POV-Ray's language cannot say (coloured
+highlights, transparent objects that may overlap, a torus whose tube overlaps itself) is refused
+with the reason, and nothing is written.
 
-Two things look different for transparent objects: POV-Ray dims light at each surface on its way to a shadow, not once for
-each passage; and where all light is reflected it gives it the weight 1, not reflectivity + transparency.")]
+Two things look different for transparent objects: POV-Ray dims light at each surface on its way to
+a shadow, not once for each passage; and where all light is reflected it gives it the weight 1, not
+reflectivity + transparency.")]
 pub struct Export {
     /// In POV-Ray 3.7's scene description language
     #[arg(long, required = true)]

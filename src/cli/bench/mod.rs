@@ -31,12 +31,12 @@ Examples:
   rayscope bench --peer povray                             all scenes in tests/peers
   rayscope bench --peer povray --scene d_csg --repeats 9   one scene, the median of nine turns
   rayscope bench --peer povray --format json -o bench.json
-                                                           as data: {\"scenes\": [{\"name\", \"rayscope_s\", \"povray_s\",
-                                                           \"ratio\", \"agree\", …}, …]}
+                          as data: {\"scenes\": [{\"name\", \"rayscope_s\", \"povray_s\", \"ratio\",
+                          \"agree\", …}, …]}
 
-The programs take turns on one thread each. Counted is the CPU time of the tracing alone: POV-Ray's as it prints it, with
-its default bounding and with +BM2. The ratio is rayscope's seconds to the better of these two.
-A pixel agrees if no channel differs by more than 2 of 255.")]
+The programs take turns on one thread each. Counted is the CPU time of the tracing alone: POV-Ray's
+as it prints it, with its default bounding and with +BM2. The ratio is rayscope's seconds to the
+better of these two. A pixel agrees if no channel differs by more than 2 of 255.")]
 pub struct Bench {
     /// The other program
     #[arg(long, value_enum)]
