@@ -18,9 +18,8 @@ Every number is written with all of its digits. A scene that POV-Ray's language 
 highlights, transparent objects that may overlap, a torus whose tube overlaps itself) is refused
 with the reason, and nothing is written.
 
-Two things look different for transparent objects: POV-Ray dims light at each surface on its way to
-a shadow, not once for each passage; and where all light is reflected it gives it the weight 1, not
-reflectivity + transparency.")]
+One thing looks different for transparent objects: where all light is reflected POV-Ray gives it the
+weight 1, not reflectivity + transparency.")]
 pub struct Export {
     /// In POV-Ray 3.7's scene description language
     #[arg(long, required = true)]

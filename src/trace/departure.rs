@@ -169,3 +169,15 @@ impl Ahead {
             .chain(entered.map(|(boundary, _)| (boundary.t, boundary.leaf)))
     }
 }
+
+impl Ahead {
+    /// The surfaces that dim light on its way to `limit`: a hit time and a leaf for each. A way that lies inside as a whole
+    /// crosses none; it is dimmed once, by what it lies inside of.
+    pub fn surfaces(&self, limit: f64) -> impl Iterator<Item = (f64, usize)> {
+        let crossed =
+            self.boundaries.iter().map(|(boundary, _)| (boundary.t, boundary.leaf)).take_while(move |(t, _)| *t < limit);
+        let confined = self.starts_inside() && crossed.clone().next().is_none();
+        let around = self.boundaries.first().map_or((0.0, 0), |(boundary, _)| (boundary.t, boundary.leaf));
+        confined.then_some(around).into_iter().chain(crossed)
+    }
+}

@@ -132,8 +132,8 @@ impl Tracer<'_> {
         [diffuse, specular]
     }
 
-    /// The share of a light that arrives: a shadow ray, stopped by the first opaque object. A transparent object passes
-    /// its transparency once for each passage; shadow rays are not bent.
+    /// The share of a light that arrives: a shadow ray, stopped by the first opaque object. Each surface
+    /// of a transparent object passes its transparency, as it does for a ray from the eye; shadow rays are not bent.
     fn arriving<R: Recorder>(&self, ray: &Ray, surface: &Surface, way: &Way, recorder: &mut R) -> f64 {
         let shadow = Ray {
             kind: RayKind::Shadow,
@@ -177,12 +177,12 @@ impl Tracer<'_> {
     /// The share of light that an object lets pass before the light at `limit`.
     pub(super) fn passed<R: Recorder>(&self, object: &Object, ahead: &Ahead, limit: f64, recorder: &mut R) -> f64 {
         let mut share = 1.0;
-        for (t, leaf) in ahead.passages(limit) {
+        for (t, leaf) in ahead.surfaces(limit) {
             let material = &self.scene.materials[object.leaf_materials[leaf]];
             share *= material.transparency;
             recorder.note(|| {
                 let reason = if material.transparency > 0.0 {
-                    "transparent: it passes its transparency, once for each passage, without bending"
+                    "transparent: each surface passes its transparency, without bending"
                 } else {
                     "opaque: no light arrives"
                 };
