@@ -7,7 +7,7 @@ use rayscope::accuracy::judge;
 use rayscope::accuracy::oracle::{Case, Target, cases};
 use rayscope::math::{DoubleDouble, Real};
 use rayscope::record::{NullRecorder, Sense};
-use rayscope::shape::{Crossings, GenericRay, HalfSpace, Part, Primitive, Shape};
+use rayscope::shape::{Crossing, Crossings, GenericRay, HalfSpace, Part, Primitive, Shape};
 
 /// Cases that are judged wrong today, with the reason. A cure has to take them off this list.
 const KNOWN_FAILURES: &[(&str, &str)] = &[];
