@@ -50,9 +50,11 @@ pub(super) fn combine(
     right: &IntervalList,
     tied: &mut impl FnMut(Tie),
 ) -> IntervalList {
-    let mut inside = [left.starts_inside(), right.starts_inside()];
-    let mut is_open = operator.holds(inside[0], inside[1]);
-    let mut result = IntervalList::starting(is_open);
+    let mut sweep = Sweep::new(operator, left, right);
+    if sweep.one_by_one(left.ends(), right.ends()) {
+        return sweep.result;
+    }
+    let mut sweep = Sweep::new(operator, left, right);
     let toggles = merged(left.ends(), right.ends());
     let mut rest = toggles.as_slice();
     while !rest.is_empty() {
@@ -60,21 +62,68 @@ pub(super) fn combine(
         if let Some(tie) = tie(group) {
             tied(tie);
         }
-        let before = inside;
-        for toggle in group {
-            let operand = &mut inside[usize::from(toggle.from_right)];
-            *operand = !*operand;
-        }
-        let now_open = operator.holds(inside[0], inside[1]);
-        if now_open != is_open {
-            if let Some(boundary) = responsible(operator, group, before, inside) {
-                result.push(boundary, now_open);
-            }
-            is_open = now_open;
-        }
+        sweep.cross(group);
         rest = after;
     }
-    result
+    sweep.result
+}
+
+/// A walk along the ray, in and out of both operands.
+struct Sweep {
+    operator: Operator,
+    inside: [bool; 2],
+    is_open: bool,
+    result: IntervalList,
+}
+
+impl Sweep {
+    fn new(operator: Operator, left: &IntervalList, right: &IntervalList) -> Self {
+        let inside = [left.starts_inside(), right.starts_inside()];
+        let is_open = operator.holds(inside[0], inside[1]);
+        Self { operator, inside, is_open, result: IntervalList::starting(is_open) }
+    }
+
+    /// Crosses one boundary after the other. Ends with `false` where some of both operands cannot be told apart.
+    fn one_by_one(&mut self, left: &[Boundary], right: &[Boundary]) -> bool {
+        let (mut l, mut r) = (0, 0);
+        // How far the boundaries reach that cannot be told apart from the one before, all of them of one operand.
+        let (mut reach, mut reached_from_right) = (f64::NEG_INFINITY, false);
+        while l < left.len() || r < right.len() {
+            let from_right = l == left.len() || r < right.len() && right[r].t < left[l].t;
+            let (boundary, next) = if from_right { (&right[r], &mut r) } else { (&left[l], &mut l) };
+            *next += 1;
+            if boundary.t - boundary.error > reach {
+                reach = boundary.t + boundary.error;
+            } else if from_right == reached_from_right {
+                reach = reach.max(boundary.t + boundary.error);
+            } else {
+                return false;
+            }
+            reached_from_right = from_right;
+            self.inside[usize::from(from_right)] ^= true;
+            let now_open = self.operator.holds(self.inside[0], self.inside[1]);
+            if now_open != self.is_open {
+                self.is_open = now_open;
+                self.result.push(taken(boundary, from_right, self.operator), now_open);
+            }
+        }
+        true
+    }
+
+    /// Crosses boundaries that cannot be told apart, all at once.
+    fn cross(&mut self, group: &[Toggle]) {
+        let before = self.inside;
+        for toggle in group {
+            self.inside[usize::from(toggle.from_right)] ^= true;
+        }
+        let now_open = self.operator.holds(self.inside[0], self.inside[1]);
+        if now_open != self.is_open {
+            self.is_open = now_open;
+            if let Some(boundary) = responsible(self.operator, group, before, self.inside) {
+                self.result.push(boundary, now_open);
+            }
+        }
+    }
 }
 
 /// The boundaries of both operands, ascending; the left one first where they are equal.
@@ -119,8 +168,14 @@ fn responsible(operator: Operator, group: &[Toggle], before: [bool; 2], after: [
     let enters = operator.holds(after[0], after[1]);
     let left_changed = before[0] != after[0] && after[0] == enters;
     let toggle = group.iter().rev().find(|toggle| toggle.from_right != left_changed)?;
-    let flips = toggle.from_right && operator == Operator::Difference;
-    Some(Boundary { flipped: toggle.boundary.flipped != flips, ..*toggle.boundary })
+    Some(taken(toggle.boundary, toggle.from_right, operator))
+}
+
+/// A boundary of an operand as one of the result: what is taken away is turned inside out.
+#[inline]
+fn taken(boundary: &Boundary, from_right: bool, operator: Operator) -> Boundary {
+    let flips = from_right && operator == Operator::Difference;
+    Boundary { flipped: boundary.flipped != flips, ..*boundary }
 }
 
 #[cfg(test)]

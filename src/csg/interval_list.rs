@@ -54,8 +54,12 @@ impl IntervalList {
 
     /// The crossings of one primitive, in order.
     #[must_use]
+    #[inline]
     pub fn of_crossings(leaf: usize, crossings: &[Crossing]) -> Self {
-        let ends = crossings.iter().map(|crossing| Boundary::of_crossing(leaf, crossing)).collect();
+        let mut ends = SmallVec::new();
+        for crossing in crossings {
+            ends.push(Boundary::of_crossing(leaf, crossing));
+        }
         let first = crossings.first().map(|crossing| crossing.sense);
         Self { ends, starts_inside: first == Some(Sense::Leave), touches: first == Some(Sense::Touch) }
     }
@@ -82,12 +86,6 @@ impl IntervalList {
     #[inline]
     pub const fn starts_inside(&self) -> bool {
         self.starts_inside
-    }
-
-    /// Whether the ray ends, infinitely far ahead, inside.
-    #[must_use]
-    pub fn ends_inside(&self) -> bool {
-        !self.touches && self.starts_inside != (self.ends.len() % 2 == 1)
     }
 
     /// The boundaries of the inside set, ascending; none for touches, which bound nothing.
@@ -117,10 +115,23 @@ impl IntervalList {
         })
     }
 
+    /// The places where the ray crosses or touches the surface, ascending.
+    #[must_use]
+    #[inline]
+    pub fn crossed(&self) -> &[Boundary] {
+        &self.ends
+    }
+
     /// Every boundary with what it does to the ray, ascending in t.
     #[must_use]
     pub fn boundaries(&self) -> Boundaries {
         (0..).zip(&self.ends).map(|(k, boundary)| (*boundary, self.sense(k))).collect()
+    }
+
+    /// The first boundary, with what it does to the ray.
+    #[must_use]
+    pub fn first(&self) -> Option<(Boundary, Sense)> {
+        self.ends.first().map(|boundary| (*boundary, self.sense(0)))
     }
 
     /// The first boundary with t > 0, with what it does to the ray.
@@ -130,8 +141,29 @@ impl IntervalList {
         Some((self.ends[k], self.sense(k)))
     }
 
+    /// The same ray from behind its first `count` boundaries on.
+    #[must_use]
+    pub fn after(&self, count: usize) -> Self {
+        let starts_inside = !self.touches && self.starts_inside != (count % 2 == 1);
+        Self { ends: SmallVec::from_slice(&self.ends[count..]), starts_inside, touches: self.touches }
+    }
+
+    /// The same ray from t = 0 on.
+    #[must_use]
+    pub fn in_front(&self) -> Self {
+        self.after(self.ends.iter().take_while(|boundary| boundary.t <= 0.0).count())
+    }
+
+    /// Puts a boundary before all others: the ray begins on its other side.
+    pub fn begin_with(&mut self, boundary: Boundary) {
+        self.ends.insert(0, boundary);
+        self.starts_inside = !self.touches && !self.starts_inside;
+    }
+
+    /// What the ray does at a boundary, counted from 0.
+    #[must_use]
     #[inline]
-    const fn sense(&self, k: usize) -> Sense {
+    pub const fn sense(&self, k: usize) -> Sense {
         match (self.touches, self.starts_inside == (k % 2 == 1)) {
             (true, _) => Sense::Touch,
             (false, true) => Sense::Enter,

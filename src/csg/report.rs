@@ -1,7 +1,6 @@
 //! What is told of a ray's way through a solid.
 
 use super::combine::Tie;
-use super::solid::Lists;
 use super::{Boundary, Extent, Interval, IntervalList, Leaf, Node, Solid};
 use crate::math::{DoubleDouble, Real};
 use crate::record::{Certificate, Edge, Entry, Operator, Recorder, Span, Tier, Value, What};
@@ -37,15 +36,22 @@ pub fn primitive(leaf: &Leaf, index: usize, list: &IntervalList) -> Entry {
     Entry::new(What::Primitive { shape, name, leaf: index, hits: list.boundaries().len() })
 }
 
-/// The three lists of a node.
+/// The left, the right and the combined list of a node; the right one is none where it was not asked.
 #[track_caller]
-pub fn combine(solid: &Solid, name: &str, operator: Operator, lists: &Lists, early_out: Option<&str>) -> Entry {
+pub fn combine(
+    solid: &Solid,
+    name: &str,
+    operator: Operator,
+    lists: [Option<&IntervalList>; 3],
+    early_out: Option<&str>,
+) -> Entry {
+    let [left, right, combined] = lists.map(|list| list.map(|list| spans(solid, list)));
     Entry::new(What::Combine {
         name: name.to_owned(),
         operator,
-        left: spans(solid, &lists.left),
-        right: lists.right.as_ref().map(|right| spans(solid, right)),
-        combined: spans(solid, &lists.combined),
+        left: left.unwrap_or_default(),
+        right,
+        combined: combined.unwrap_or_default(),
         early_out: early_out.map(str::to_owned),
     })
 }

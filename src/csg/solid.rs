@@ -244,11 +244,8 @@ impl<'a> Query<'a> {
         match node {
             Node::Leaf { leaf, extent } => self.leaf::<A, R>(*leaf, extent, recorder),
             Node::Pair { name, operator, left, right, extent } => {
-                recorder.begin();
                 let operands = [*left, *right].map(|index| &self.solid.nodes[index]);
-                let (lists, early_out) = self.pair::<A, R>(name, *operator, operands, extent, recorder);
-                recorder.end(|| report::combine(self.solid, name, *operator, &lists, early_out));
-                lists.combined
+                self.pair::<A, R>(name, *operator, operands, extent, recorder)
             }
         }
     }
@@ -261,28 +258,32 @@ impl<'a> Query<'a> {
         [left, right]: [&Node; 2],
         extent: &Extent,
         recorder: &mut R,
-    ) -> (Lists, Option<&'static str>) {
+    ) -> IntervalList {
+        let empty = IntervalList::default();
+        let told = |left: &IntervalList, right: Option<&IntervalList>, combined: &IntervalList, out| {
+            report::combine(self.solid, name, operator, [Some(left), right, Some(combined)], out)
+        };
+        recorder.begin();
         if !self.meets(name, extent, recorder) {
-            return (Lists::default(), Some("the ray misses the extent, so nothing in it was asked"));
+            let reason = "the ray misses the extent, so nothing in it was asked";
+            recorder.end(|| told(&empty, None, &empty, Some(reason)));
+            return empty;
         }
         let left_list = self.node::<A, R>(left, recorder);
         if left_list.is_empty() && operator != Operator::Union {
-            let reason = match operator {
-                Operator::Intersection => "the ray misses the left solid, and a point must be in both",
-                _ => "the ray misses the left solid, and nothing can be taken from nothing",
-            };
-            return (Lists { left: left_list, ..Lists::default() }, Some(reason));
+            recorder.end(|| told(&left_list, None, &empty, Some(left_is_missed(operator))));
+            return empty;
         }
         let right_list = self.node::<A, R>(right, recorder);
         let combined = combine(operator, &left_list, &right_list, &mut |tie| {
             self.tie.set(Some(self.tie.get().unwrap_or(tie)));
         });
-        let early_out = early_out(operator, &left_list, &right_list);
         if R::RECORDING {
             let lists = [&left_list, &right_list];
             report::rejected(self.solid, name, operator, [left, right], lists, &combined, recorder);
         }
-        (Lists { left: left_list, right: Some(right_list), combined }, early_out)
+        recorder.end(|| told(&left_list, Some(&right_list), &combined, early_out(operator, &left_list, &right_list)));
+        combined
     }
 
     fn leaf<A: Real, R: Recorder>(&self, index: usize, extent: &Extent, recorder: &mut R) -> IntervalList {
@@ -345,15 +346,12 @@ impl<'a> Query<'a> {
     }
 }
 
-/// What a node of the tree worked out.
-#[derive(Default)]
-pub struct Lists {
-    /// The left solid's inside set.
-    pub left: IntervalList,
-    /// The right solid's; none if it was never asked.
-    pub right: Option<IntervalList>,
-    /// The result's.
-    pub combined: IntervalList,
+/// Why the right operand is not asked where the left one is missed.
+const fn left_is_missed(operator: Operator) -> &'static str {
+    match operator {
+        Operator::Intersection => "the ray misses the left solid, and a point must be in both",
+        _ => "the ray misses the left solid, and nothing can be taken from nothing",
+    }
 }
 
 /// The early outs that both lists allow: nothing was left to combine.

@@ -68,7 +68,7 @@ impl Tracer<'_> {
             let list = self.intersect(index, ray, &course, recorder);
             let ahead = ray.ahead(index, &self.scene.objects[index], &list);
             ahead.report(&self.scene.objects[index], recorder);
-            if !list.is_empty() || !ahead.boundaries.is_empty() {
+            if !list.is_empty() || !ahead.list.is_empty() {
                 found.push(Found { object: index, list, ahead });
             }
         }
@@ -142,7 +142,7 @@ impl Tracer<'_> {
     pub(super) fn find_closest_in_front<R: Recorder>(&self, found: &[Found], recorder: &mut R) -> Option<Closest> {
         let mut closest: Option<Closest> = None;
         for candidate in found {
-            if let Some(&(boundary, sense)) = candidate.ahead.boundaries.first()
+            if let Some((boundary, sense)) = candidate.ahead.list.first()
                 && closest.is_none_or(|best| boundary.t < best.boundary.t)
             {
                 closest = Some(Closest { object: candidate.object, boundary, sense });
@@ -231,7 +231,7 @@ fn group(extent: &Extent, inside: Option<[f64; 2]>, count: usize) -> Entry {
 fn why_rejected(boundary: &Boundary, candidate: &Found, closest: Option<Closest>) -> &'static str {
     if Some(*boundary) == candidate.ahead.departed {
         "this is the surface that the ray started on"
-    } else if !candidate.ahead.holds(boundary) {
+    } else if !candidate.ahead.list.crossed().contains(boundary) {
         "behind the start of the ray: t is not positive"
     } else if closest.is_some_and(|c| c.object == candidate.object) {
         "later on the ray than the hit with the same object"

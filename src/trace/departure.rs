@@ -12,7 +12,7 @@
 //! inside of always follows the boundaries that it was seen to cross.
 
 use super::closest::Surface;
-use crate::csg::{Boundaries, Boundary, IntervalList, Solid};
+use crate::csg::{Boundary, IntervalList, Solid};
 use crate::record::{Entry, Recorder, Sense, What};
 use crate::scene::Object;
 use glam::DVec3;
@@ -37,10 +37,8 @@ pub struct Departure {
 pub struct Ahead {
     /// The boundary that the ray started on, which does not count.
     pub departed: Option<Boundary>,
-    /// Those that count, ascending.
-    pub boundaries: Boundaries,
-    /// Whether the ray is inside the object for good behind the last of them.
-    pub endless: bool,
+    /// Those that count; the list begins where the ray does.
+    pub list: IntervalList,
     /// How far the start had to be moved to the right side of the surface, if it had to be.
     pub moved: Option<f64>,
 }
@@ -102,10 +100,9 @@ impl Departure {
             let slope = normal.dot(direction).abs();
             boundary.t.abs() * slope <= 4.0 * self.blur + boundary.error * slope
         };
-        let all = list.boundaries();
-        let start = (0..all.len())
-            .filter(|&k| all[k].1 == self.sense && is_start(&all[k].0))
-            .min_by(|&a, &b| all[a].0.t.abs().total_cmp(&all[b].0.t.abs()));
+        let start = (0..list.crossed().len())
+            .filter(|&k| list.sense(k) == self.sense && is_start(&list.crossed()[k]))
+            .min_by(|&a, &b| list.crossed()[a].t.abs().total_cmp(&list.crossed()[b].t.abs()));
         match start {
             Some(start) => Ahead::behind(start, list),
             None => Ahead::of(list),
@@ -114,13 +111,12 @@ impl Departure {
 
     /// Whether the boundaries ahead say that the ray is on the side to which it left.
     fn agrees(&self, ahead: &Ahead) -> bool {
-        self.sense == Sense::Touch || ahead.starts_inside() == (self.sense == Sense::Enter)
+        self.sense == Sense::Touch || ahead.list.starts_inside() == (self.sense == Sense::Enter)
     }
 
     /// Puts a ray right that rounding has set down on the wrong side of the boundary.
     fn turned_back(&self, mut ahead: Ahead) -> Ahead {
-        let back = if self.sense == Sense::Enter { Sense::Leave } else { Sense::Enter };
-        ahead.boundaries.insert(0, (Boundary { t: 0.0, ..self.boundary }, back));
+        ahead.list.begin_with(Boundary { t: 0.0, ..self.boundary });
         ahead
     }
 }
@@ -128,21 +124,13 @@ impl Departure {
 impl Ahead {
     /// All boundaries behind the one that was left.
     fn behind(start: usize, list: &IntervalList) -> Self {
-        let all = list.boundaries();
-        let (departed, boundaries) = (Some(all[start].0), all[start + 1..].into());
-        Self { departed, boundaries, endless: list.ends_inside(), moved: None }
+        Self { departed: Some(list.crossed()[start]), list: list.after(start + 1), moved: None }
     }
 
     /// All boundaries in front of the start of a ray that did not start on the object.
     #[must_use]
     pub fn of(list: &IntervalList) -> Self {
-        let boundaries = list.boundaries().into_iter().filter(|(boundary, _)| boundary.t > 0.0).collect();
-        Self { departed: None, boundaries, endless: list.ends_inside(), moved: None }
-    }
-
-    /// Whether the ray is inside the object where it starts.
-    fn starts_inside(&self) -> bool {
-        self.boundaries.first().map_or(self.endless, |(_, sense)| *sense == Sense::Leave)
+        Self { departed: None, list: list.in_front(), moved: None }
     }
 
     /// Tells of a start that had to be moved.
@@ -152,32 +140,13 @@ impl Ahead {
         }
     }
 
-    /// Whether a boundary counts.
-    #[must_use]
-    pub fn holds(&self, boundary: &Boundary) -> bool {
-        self.boundaries.iter().any(|(other, _)| other == boundary)
-    }
-
-    /// Where the ray goes through the object before it comes to `limit`: a hit time and a leaf for each passage.
-    pub fn passages(&self, limit: f64) -> impl Iterator<Item = (f64, usize)> {
-        let first = self.boundaries.first().map_or((0.0, 0), |(boundary, _)| (boundary.t, boundary.leaf));
-        let entered =
-            self.boundaries.iter().filter(move |(boundary, sense)| *sense != Sense::Leave && boundary.t < limit);
-        self.starts_inside()
-            .then_some(first)
-            .into_iter()
-            .chain(entered.map(|(boundary, _)| (boundary.t, boundary.leaf)))
-    }
-}
-
-impl Ahead {
     /// The surfaces that dim light on its way to `limit`: a hit time and a leaf for each. A way that lies inside as a whole
     /// crosses none; it is dimmed once, by what it lies inside of.
     pub fn surfaces(&self, limit: f64) -> impl Iterator<Item = (f64, usize)> {
-        let crossed =
-            self.boundaries.iter().map(|(boundary, _)| (boundary.t, boundary.leaf)).take_while(move |(t, _)| *t < limit);
-        let confined = self.starts_inside() && crossed.clone().next().is_none();
-        let around = self.boundaries.first().map_or((0.0, 0), |(boundary, _)| (boundary.t, boundary.leaf));
+        let place = |boundary: &Boundary| (boundary.t, boundary.leaf);
+        let crossed = self.list.crossed().iter().map(place).take_while(move |(t, _)| *t < limit);
+        let confined = self.list.starts_inside() && crossed.clone().next().is_none();
+        let around = self.list.crossed().first().map_or((0.0, 0), place);
         confined.then_some(around).into_iter().chain(crossed)
     }
 }

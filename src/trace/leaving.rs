@@ -34,6 +34,6 @@ impl Tracer<'_> {
     #[must_use]
     pub fn boundaries_ahead(&self, ray: &Ray, object: usize) -> Vec<(Boundary, Sense)> {
         let found = self.find_all_intersections(ray, &mut NullRecorder);
-        found.iter().filter(|found| found.object == object).flat_map(|found| found.ahead.boundaries.clone()).collect()
+        found.iter().filter(|found| found.object == object).flat_map(|found| found.ahead.list.boundaries()).collect()
     }
 }

@@ -30,6 +30,11 @@ impl MediaCrossing {
 impl Tracer<'_> {
     /// The transparent objects that the eye is inside, in the order in which a ray from far behind it entered them.
     pub(super) fn media_around(&self, eye: DVec3, direction: DVec3) -> MediaStack {
+        let index = &self.scene.index;
+        let candidates = if eye == self.scene.camera.eye { &index.around_the_eye } else { &index.transparent };
+        if candidates.is_empty() {
+            return MediaStack::default();
+        }
         let holding_eye = |&object: &usize| {
             let list = self.scene.objects[object].solid.inside::<f64>(eye, direction, &mut NullRecorder);
             let interval = list.intervals().find(|interval| {
@@ -37,8 +42,6 @@ impl Tracer<'_> {
             })?;
             Some((interval.enter.map_or(f64::NEG_INFINITY, |enter| enter.t), object))
         };
-        let index = &self.scene.index;
-        let candidates = if eye == self.scene.camera.eye { &index.around_the_eye } else { &index.transparent };
         let mut around: Vec<(f64, usize)> = candidates.iter().filter_map(holding_eye).collect();
         around.sort_by(|a, b| a.0.total_cmp(&b.0));
         let mut media = MediaStack::default();

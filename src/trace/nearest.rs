@@ -119,7 +119,7 @@ impl Tracer<'_> {
         recorder: &mut R,
     ) -> Option<(Boundary, Sense)> {
         if ray.departure.is_some_and(|departure| departure.object == object) {
-            self.ahead_in(object, ray, course, is_met, recorder).boundaries.first().copied()
+            self.ahead_in(object, ray, course, is_met, recorder).list.first()
         } else {
             self.scene.objects[object].solid.first_in_front(course, is_met, recorder)
         }
@@ -138,7 +138,7 @@ impl Tracer<'_> {
         let departed = ray.departure.is_some_and(|departure| departure.object == object);
         let solid = &self.scene.objects[object].solid;
         if departed || !solid.extent().is_finite() {
-            return self.ahead_in(object, ray, course, is_met, recorder).passages(limit).next().is_some();
+            return self.ahead_in(object, ray, course, is_met, recorder).surfaces(limit).next().is_some();
         }
         // A ray that comes out of an object which it did not enter started inside it.
         let first = solid.first_in_front(course, is_met, recorder);
