@@ -1,6 +1,6 @@
 //! Where a primitive stands in the world: an affine map and its inverse.
 
-use crate::math::{Real, WideMap};
+use crate::math::{LaneMap, Real, WideMap};
 use crate::shape::GenericRay;
 use glam::{DAffine3, DMat3, DVec3};
 
@@ -15,22 +15,15 @@ pub struct Placement {
     normals: DMat3,
     /// World to generic with 32 digits, for solvers that cannot tell with 16.
     wide_generic_from_world: WideMap,
-    /// The sizes of the inverse's numbers, for error bounds: what cancels in the inverse transform.
-    sizes: DAffine3,
+    /// World to generic, for rays.
+    ray_map: LaneMap,
+    /// The sizes of its numbers, for error bounds: what cancels in the inverse transform. Twice, for the matrix was itself
+    /// rounded when it was composed.
+    sizes: LaneMap,
     skew: f64,
 }
 
 impl Placement {
-    /// The generic pose itself.
-    pub const IDENTITY: Self = Self {
-        world_from_generic: DAffine3::IDENTITY,
-        generic_from_world: DAffine3::IDENTITY,
-        normals: DMat3::IDENTITY,
-        wide_generic_from_world: WideMap::IDENTITY,
-        sizes: DAffine3::IDENTITY,
-        skew: 1.0,
-    };
-
     /// Places a primitive by `world_from_generic`.
     ///
     /// # Errors
@@ -45,15 +38,16 @@ impl Placement {
         if determinant == 0.0 || !generic_from_world.is_finite() {
             return Err(format!("the transform is singular (its determinant is {determinant}), so it has no inverse"));
         }
-        let sizes =
-            DAffine3 { matrix3: generic_from_world.matrix3.abs(), translation: generic_from_world.translation.abs() };
+        let ray_map = LaneMap::from_rows(rows(&generic_from_world));
+        let skew = world_from_generic.matrix3.abs() * (generic_from_world.matrix3.abs() * DVec3::ONE);
         Ok(Self {
             world_from_generic,
             generic_from_world,
             normals: generic_from_world.matrix3.transpose(),
             wide_generic_from_world,
-            sizes,
-            skew: ((world_from_generic.matrix3.abs() * sizes.matrix3) * DVec3::ONE).max_element(),
+            ray_map,
+            sizes: ray_map.sizes(2.0),
+            skew: skew.max_element(),
         })
     }
 
@@ -68,12 +62,12 @@ impl Placement {
     #[must_use]
     #[inline]
     pub fn generic_ray<A: Real>(&self, origin: DVec3, direction: DVec3) -> GenericRay<'_, A> {
-        let inverse = &self.generic_from_world;
+        let world = [origin.to_array(), direction.to_array()];
+        let sizes = [origin.abs().to_array(), direction.abs().to_array()];
         GenericRay::mapped(
-            [origin, direction],
-            [inverse.transform_point3(origin), inverse.transform_vector3(direction)],
-            // Twice, for the matrix was itself rounded when it was composed.
-            [self.sizes.transform_point3(origin.abs()) * 2.0, self.sizes.transform_vector3(direction.abs()) * 2.0],
+            world,
+            [self.ray_map.point(world[0]), self.ray_map.vector(world[1])],
+            [self.sizes.point(sizes[0]), self.sizes.vector(sizes[1])],
             &self.wide_generic_from_world,
         )
     }

@@ -310,7 +310,12 @@ impl<'a> Query<'a> {
         recorder.note(|| report::transform(leaf, self.course.origin, self.course.direction));
         let ray = leaf.placement.generic_ray::<A>(self.course.origin, self.course.direction);
         let mut crossings = Crossings::new();
-        leaf.shape.crossings(&ray, recorder, &mut crossings);
+        if R::RECORDING {
+            leaf.shape.crossings(&ray, recorder, &mut crossings);
+        } else {
+            // Solvers do not count; so all recorders that only count can share one copy of their code.
+            leaf.shape.crossings(&ray, &mut NullRecorder, &mut crossings);
+        }
         if crossings.is_empty() && extent.is_unbounded() && leaf.shape.implicit(ray.point(A::ZERO)) < 0.0 {
             return IntervalList::starting(true);
         }
@@ -326,7 +331,7 @@ impl<'a> Query<'a> {
         recorder.count(Counter::ShapeTest(leaf.shape.index()));
         let ray = leaf.placement.generic_ray::<f64>(self.course.origin, self.course.direction);
         let mut crossings = Crossings::new();
-        leaf.shape.crossings(&ray, recorder, &mut crossings);
+        leaf.shape.crossings(&ray, &mut NullRecorder, &mut crossings);
         let first = crossings.iter().find(|crossing| crossing.t > 0.0)?;
         Some((Boundary::of_crossing(index, first), first.sense))
     }

@@ -1,6 +1,6 @@
 //! What every generic primitive can do.
 
-use crate::math::{DoubleDouble, Real, Traced, WideMap, dot, scale_to_unit};
+use crate::math::{DoubleDouble, Lanes, Real, Traced, WideMap, coordinates, dot, scale_to_unit};
 use crate::record::{Certificate, Recorder, Sense};
 use glam::{DVec2, DVec3};
 use smallvec::SmallVec;
@@ -83,15 +83,18 @@ impl<'a, A: Real> GenericRay<'a, A> {
     /// `plain` is S and c in double precision, `sizes` the sizes of what was added up to them, `map` the same map with 32
     /// digits. Arithmetics with more digits than `f64` take theirs from there.
     #[must_use]
-    pub fn mapped(world: [DVec3; 2], plain: [DVec3; 2], sizes: [DVec3; 2], map: &'a WideMap) -> Self {
-        let given = Given { origin: world[0], direction: world[1], generic_from_world: Some(map) };
-        let scale = scale_to_unit(plain[1].to_array());
+    #[inline]
+    pub fn mapped(world: [[f64; 3]; 2], plain: [Lanes; 2], sizes: [Lanes; 2], map: &'a WideMap) -> Self {
+        let given = Given { origin: world[0].into(), direction: world[1].into(), generic_from_world: Some(map) };
+        let scale = scale_to_unit(coordinates(plain[1]));
         // What the transform rounds off comes to what the solver itself does.
-        let origin_size = (plain[0].abs() + sizes[0]).to_array();
-        let direction_size = ((plain[1].abs() + sizes[1]) * scale).to_array();
+        let size = |k: usize, scale: f64| -> Lanes {
+            std::array::from_fn(|lane| (plain[k][lane].abs() + sizes[k][lane]) * scale)
+        };
+        let (origin_size, direction_size) = (coordinates(size(0, 1.0)), coordinates(size(1, scale)));
         let from_plain = Self {
-            origin: plain[0].to_array().map(A::from_f64),
-            direction: (plain[1] * scale).to_array().map(A::from_f64),
+            origin: coordinates(plain[0]).map(A::from_f64),
+            direction: coordinates(plain[1].map(|x| x * scale)).map(A::from_f64),
             t_per_tau: scale,
             origin_size,
             direction_size,
