@@ -19,7 +19,7 @@ pub struct Course {
     pub(super) backwards: [bool; 3],
     pub(super) near_start: [f64; 3],
     pub(super) far_start: [f64; 3],
-    widening: f64,
+    pub(super) widening: f64,
 }
 
 /// Roundings in the way of a ray into generic coordinates and in a slab test. Fewer could cut off a grazing hit; more would

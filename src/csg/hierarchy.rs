@@ -13,6 +13,7 @@
 use super::{Course, Extent};
 use arrayvec::ArrayVec;
 use glam::DVec3;
+use wide::f64x4;
 
 /// Children of a node.
 const WIDTH: usize = 4;
@@ -27,7 +28,7 @@ pub struct Hierarchy {
 #[derive(Clone, Debug, PartialEq)]
 struct Node {
     /// For each axis the low, then the high sides.
-    sides: [[[f64; WIDTH]; 2]; 3],
+    sides: [[f64x4; 2]; 3],
     children: [Child; WIDTH],
 }
 
@@ -66,42 +67,42 @@ impl Child {
 }
 
 impl Node {
-    const EMPTY: Self =
-        Self { sides: [[[f64::INFINITY; WIDTH], [f64::NEG_INFINITY; WIDTH]]; 3], children: [Child::NONE; WIDTH] };
+    fn empty() -> Self {
+        Self {
+        sides: [[f64x4::splat(f64::INFINITY), f64x4::splat(f64::NEG_INFINITY)]; 3],
+        children: [Child::NONE; WIDTH],
+    }
+    }
 
     fn set(&mut self, place: usize, extent: &Extent, child: Child) {
         for axis in 0..3 {
-            self.sides[axis][0][place] = extent.low[axis];
-            self.sides[axis][1][place] = extent.high[axis];
+            self.sides[axis][0].as_mut_array()[place] = extent.low[axis];
+            self.sides[axis][1].as_mut_array()[place] = extent.high[axis];
         }
         self.children[place] = child;
     }
 
     fn extent(&self, place: usize) -> Extent {
-        let corner = |side: usize| DVec3::from_array(std::array::from_fn(|axis| self.sides[axis][side][place]));
+        let corner = |side: usize| DVec3::from_array(std::array::from_fn(|axis| self.sides[axis][side].to_array()[place]));
         Extent { low: corner(0), high: corner(1) }
     }
 
     /// The times of all four boxes, none before 0; an empty box is left before it is entered.
     #[inline]
-    fn times(&self, course: &Course) -> [[f64; WIDTH]; 2] {
-        let (mut t_in, mut t_out) = ([0.0; WIDTH], [f64::INFINITY; WIDTH]);
+    fn times(&self, course: &Course) -> [f64x4; 2] {
+        let (mut t_in, mut t_out) = (f64x4::ZERO, f64x4::splat(f64::INFINITY));
         for axis in 0..3 {
-            let backwards = usize::from(course.backwards[axis]);
-            let (near, far) = (&self.sides[axis][backwards], &self.sides[axis][1 - backwards]);
-            let (near_start, far_start) = (course.near_start[axis], course.far_start[axis]);
-            let per_direction = course.per_direction[axis];
-            for k in 0..WIDTH {
-                let near = (near[k] - near_start) * per_direction;
-                let far = (far[k] - far_start) * per_direction;
-                t_in[k] = if near > t_in[k] { near } else { t_in[k] };
-                t_out[k] = if far < t_out[k] { far } else { t_out[k] };
-            }
+            let [low, high] = self.sides[axis];
+            let (near, far) = if course.backwards[axis] { (high, low) } else { (low, high) };
+            let per_direction = f64x4::splat(course.per_direction[axis]);
+            let near = (near - f64x4::splat(course.near_start[axis])) * per_direction;
+            let far = (far - f64x4::splat(course.far_start[axis])) * per_direction;
+            // What is not a number (0 · ∞, for a ray that lies in a side) is passed over by both comparisons.
+            t_in = near.simd_gt(t_in).select(near, t_in);
+            t_out = far.simd_lt(t_out).select(far, t_out);
         }
-        for k in 0..WIDTH {
-            [t_in[k], t_out[k]] = course.widened([t_in[k], t_out[k]]);
-        }
-        [t_in, t_out]
+        let widening = f64x4::splat(course.widening);
+        [t_in - widening * t_in.abs(), t_out + widening * t_out.abs()]
     }
 
     /// The nearest child that the ray meets before the limit; the others are put on the pile, the nearest on top.
@@ -109,8 +110,8 @@ impl Node {
     fn open(&self, course: &Course, limit: f64, waiting: &mut Pile) -> Option<Child> {
         let [t_in, t_out] = self.times(course);
         // All four answers at once: a branch for each would be guessed wrong too often.
-        let met = (0..WIDTH).fold(0_u32, |met, k| met | u32::from(t_in[k] <= t_out[k] && t_in[k] <= limit) << k);
-        let (mut met, base) = (met, waiting.len());
+        let mut met = (t_in.simd_le(t_out) & t_in.simd_le(f64x4::splat(limit))).to_bitmask();
+        let (t_in, base) = (t_in.to_array(), waiting.len());
         while met != 0 {
             let place = met.trailing_zeros() as usize;
             met &= met - 1;
@@ -229,7 +230,7 @@ impl Builder<'_> {
     /// Makes a node over some items, and all below it; returns its place.
     fn node(&mut self, items: &mut [u32], depth: u32) -> usize {
         let place = self.nodes.len();
-        self.nodes.push(Node::EMPTY);
+        self.nodes.push(Node::empty());
         for (k, part) in self.four_parts(items, depth).into_iter().enumerate() {
             let extent = part.iter().fold(Extent::EMPTY, |all, &item| all.joined(self.extents[item as usize]));
             let child = match part {

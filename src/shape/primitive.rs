@@ -88,13 +88,12 @@ impl<'a, A: Real> GenericRay<'a, A> {
         let given = Given { origin: world[0].into(), direction: world[1].into(), generic_from_world: Some(map) };
         let scale = scale_to_unit(coordinates(plain[1]));
         // What the transform rounds off comes to what the solver itself does.
-        let size = |k: usize, scale: f64| -> Lanes {
-            std::array::from_fn(|lane| (plain[k][lane].abs() + sizes[k][lane]) * scale)
-        };
-        let (origin_size, direction_size) = (coordinates(size(0, 1.0)), coordinates(size(1, scale)));
+        let origin_size = coordinates(plain[0].abs() + sizes[0]);
+        let direction_size = coordinates((plain[1].abs() + sizes[1]) * Lanes::splat(scale));
+        let course = plain[1] * Lanes::splat(scale);
         let from_plain = Self {
             origin: coordinates(plain[0]).map(A::from_f64),
-            direction: coordinates(plain[1].map(|x| x * scale)).map(A::from_f64),
+            direction: coordinates(course).map(A::from_f64),
             t_per_tau: scale,
             origin_size,
             direction_size,

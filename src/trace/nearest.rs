@@ -58,10 +58,11 @@ impl Tracer<'_> {
     ) {
         let departed = ray.departure.map(|departure| departure.object);
         let unbounded = self.scene.index.unbounded.iter().copied();
-        let others = unbounded.chain(candidates.map(|candidate| candidate.object));
-        let others = others.filter(|&object| departed != Some(object));
-        for object in departed.into_iter().chain(others) {
-            if ask(object, false) == f64::NEG_INFINITY {
+        let seen = candidates.map(|candidate| (candidate.object, true));
+        let others = unbounded.map(|object| (object, false)).chain(seen);
+        let others = others.filter(|&(object, _)| departed != Some(object));
+        for (object, is_met) in departed.map(|object| (object, false)).into_iter().chain(others) {
+            if ask(object, is_met) == f64::NEG_INFINITY {
                 return;
             }
         }
@@ -83,7 +84,7 @@ impl Tracer<'_> {
                 if candidate.depth > limit {
                     break;
                 }
-                limit = limit.min(ask(candidate.object, false));
+                limit = limit.min(ask(candidate.object, true));
             }
         } else if self.scene.shortcuts.hierarchy {
             index.hierarchy.walk(course, limit, |item, limit| {
