@@ -224,15 +224,14 @@ impl<'a, A: Real> Line<'a, A> {
         self.dimness + haze(0) + haze(1) + haze(2)
     }
 
-    /// How far off, as a share of themselves, coordinates and the slopes of their powers below 1 may be, given the rates at
-    /// which the coordinates grow.
-    pub fn coarseness(&self, rates: [f64; 3]) -> f64 {
-        let share = |i: usize| {
-            let off = self.axes[i].haze * rates[i].abs();
-            // So near to its plane a coordinate may be zero, and the slope infinite.
-            if off < 0.25 { 4.0 * off } else { f64::INFINITY }
-        };
-        4.0 * (self.dimness + f64::UNIT_ROUNDOFF) + share(0).max(share(1)).max(share(2))
+    /// How far off, as a share of itself, a coordinate may be and the slope of its power below 1, given the rate at which it
+    /// grows.
+    pub fn coarseness(&self, axis: usize, rate: f64) -> f64 {
+        let Axis { haze, moves, .. } = self.axes[axis];
+        let off = if moves { haze * rate.abs() } else { haze };
+        // In its plane, or so near that it may be there, the slope has no bound.
+        let in_plane = moves && rate == 0.0 || off >= 0.25;
+        if in_plane { f64::INFINITY } else { 4.0 * (self.dimness + f64::UNIT_ROUNDOFF + off) }
     }
 
     /// ln g at τ, from coordinates with no error but their last rounding.

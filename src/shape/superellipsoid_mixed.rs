@@ -166,7 +166,8 @@ impl<A: Real> Search<'_, A> {
         let climb = low.climb * towards;
         let fall = high.slope_doubt - towards * high.slopes_towards(towards < 0.0, n)[0];
         let over = (high.most + fall * length) / low.height;
-        n < 1.0 && climb > 0.0 && (fall <= 0.0 || over.powf(m - 1.0) * fall < 0.9 * climb)
+        let rises = n < 1.0 && climb > 0.0 && low.height > 0.0;
+        rises && (fall <= 0.0 || over.powf(m - 1.0) * fall < 0.9 * climb)
     }
 
     fn lines(&self, left: &Cut<A>, right: &Cut<A>, length: f64) -> Lines {
@@ -238,8 +239,9 @@ fn cut<A: Real>(line: &Line<A>, at: A) -> Cut<A> {
         touches: false,
         slopes: [terms[0] + terms[1], section_slope],
         most: rho * (1.0 + rounding) + by_place,
-        slope_doubt: (terms[0].abs() + terms[1].abs()) * (rounding + line.coarseness(rates)),
-        height: (z.to_f64() * (1.0 - line.coarseness([0.0, 0.0, rates[2]]))).max(0.0),
+        slope_doubt: (terms[0].abs() + terms[1].abs())
+            * (rounding + line.coarseness(0, rates[0]).max(line.coarseness(1, rates[1]))),
+        height: (z.to_f64() * (1.0 - line.coarseness(2, rates[2]))).max(0.0),
         climb: z.to_f64() * rates[2],
         cusp: None,
     }
