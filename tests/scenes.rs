@@ -127,10 +127,7 @@ fn operands_are_folded_from_the_left() {
     assert!(matches!(solid.nodes[*right], Node::Leaf { leaf: 2, .. }));
     let Node::Pair { name, left, right, .. } = &solid.nodes[*left] else { panic!("the left side is not a pair") };
     assert_eq!(name, "difference");
-    assert!(matches!(
-        (&solid.nodes[*left], &solid.nodes[*right]),
-        (Node::Leaf { leaf: 0, .. }, Node::Leaf { leaf: 1, .. })
-    ));
+    assert!(matches!((&solid.nodes[*left], &solid.nodes[*right]), (Node::Leaf { leaf: 0, .. }, Node::Leaf { leaf: 1, .. })));
 }
 
 #[test]

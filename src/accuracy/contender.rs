@@ -94,8 +94,7 @@ fn node_by_the_book(solid: &Solid, node: &Node, origin: DVec3, direction: DVec3)
             found
         }
         Node::Pair { operator, left, right, .. } => {
-            let [left, right] =
-                [*left, *right].map(|node| node_by_the_book(solid, &solid.nodes[node], origin, direction));
+            let [left, right] = [*left, *right].map(|node| node_by_the_book(solid, &solid.nodes[node], origin, direction));
             let holds = |in_left, in_right| Operator::holds(*operator, in_left, in_right);
             textbook::combine(holds, &left, &right)
         }

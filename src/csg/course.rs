@@ -36,8 +36,7 @@ impl Course {
         let (start, course) = (origin.to_array(), direction.to_array());
         let per_direction = course.map(|d| 1.0 / d);
         let backwards = per_direction.map(f64::is_sign_negative);
-        let moved =
-            |by: f64| std::array::from_fn(|axis| if backwards[axis] { start[axis] - by } else { start[axis] + by });
+        let moved = |by: f64| std::array::from_fn(|axis| if backwards[axis] { start[axis] - by } else { start[axis] + by });
         Self {
             origin,
             direction,

@@ -11,8 +11,8 @@
 //! never lose a hit that the solver behind it would find, so it is written for [`Course`].
 
 use super::{Course, Extent};
-use arrayvec::ArrayVec;
 use glam::DVec3;
+use arrayvec::ArrayVec;
 
 /// Children of a node.
 const WIDTH: usize = 4;
@@ -66,8 +66,10 @@ impl Child {
 }
 
 impl Node {
-    const EMPTY: Self =
-        Self { sides: [[[f64::INFINITY; WIDTH], [f64::NEG_INFINITY; WIDTH]]; 3], children: [Child::NONE; WIDTH] };
+    const EMPTY: Self = Self {
+        sides: [[[f64::INFINITY; WIDTH], [f64::NEG_INFINITY; WIDTH]]; 3],
+        children: [Child::NONE; WIDTH],
+    };
 
     fn set(&mut self, place: usize, extent: &Extent, child: Child) {
         for axis in 0..3 {
@@ -291,8 +293,7 @@ impl Builder<'_> {
             *extent = extent.joined(self.extents[item as usize]);
         }
         let join = |a: (usize, Extent), b: &(usize, Extent)| (a.0 + b.0, a.1.joined(b.1));
-        let weight =
-            |(count, extent): (usize, Extent)| if count == 0 { 0.0 } else { count as f64 * extent.half_surface() };
+        let weight = |(count, extent): (usize, Extent)| if count == 0 { 0.0 } else { count as f64 * extent.half_surface() };
         let mut rights = [0.0; BINS];
         let mut right = (0, Extent::EMPTY);
         for bin in (1..BINS).rev() {
@@ -337,12 +338,10 @@ mod tests {
     use proptest::prelude::*;
 
     fn any_extent() -> impl Strategy<Value = Extent> {
-        (prop::array::uniform3(-10.0..10.0), prop::array::uniform3(0.0..2.0)).prop_map(
-            |(low, size): ([f64; 3], [f64; 3])| {
-                let low = DVec3::from_array(low);
-                Extent { low, high: low + DVec3::from_array(size) }
-            },
-        )
+        (prop::array::uniform3(-10.0..10.0), prop::array::uniform3(0.0..2.0)).prop_map(|(low, size): ([f64; 3], [f64; 3])| {
+            let low = DVec3::from_array(low);
+            Extent { low, high: low + DVec3::from_array(size) }
+        })
     }
 
     fn any_course() -> impl Strategy<Value = Course> {

@@ -103,10 +103,8 @@ impl IntervalList {
         // Where the ray begins inside, the first interval has no beginning.
         let shift = usize::from(self.starts_inside);
         let end = move |place: Option<usize>| place.and_then(|place| ends.get(place)).copied();
-        (0..(ends.len() + shift).div_ceil(2)).map(move |k| Interval {
-            enter: end((2 * k).checked_sub(shift)),
-            leave: end((2 * k + 1).checked_sub(shift)),
-        })
+        (0..(ends.len() + shift).div_ceil(2))
+            .map(move |k| Interval { enter: end((2 * k).checked_sub(shift)), leave: end((2 * k + 1).checked_sub(shift)) })
     }
 
     /// Whether the point at `t` is inside.

@@ -45,8 +45,10 @@ impl Placement {
         if determinant == 0.0 || !generic_from_world.is_finite() {
             return Err(format!("the transform is singular (its determinant is {determinant}), so it has no inverse"));
         }
-        let sizes =
-            DAffine3 { matrix3: generic_from_world.matrix3.abs(), translation: generic_from_world.translation.abs() };
+        let sizes = DAffine3 {
+            matrix3: generic_from_world.matrix3.abs(),
+            translation: generic_from_world.translation.abs(),
+        };
         Ok(Self {
             world_from_generic,
             generic_from_world,

@@ -317,7 +317,12 @@ impl<'a> Query<'a> {
     }
 
     /// The first crossing of a primitive with t > 0: what is first in its interval list too.
-    fn first_crossing(&self, index: usize, extent: &Extent, recorder: &mut impl Recorder) -> Option<(Boundary, Sense)> {
+    fn first_crossing(
+        &self,
+        index: usize,
+        extent: &Extent,
+        recorder: &mut impl Recorder,
+    ) -> Option<(Boundary, Sense)> {
         let leaf = &self.solid.leaves[index];
         if !self.meets(&leaf.name, extent, recorder) {
             return None;

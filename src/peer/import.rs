@@ -80,11 +80,9 @@ pub fn import(text: &str) -> Result<String, String> {
         return Err(format!("its format is `{}`; only `{FORMAT}` is read", peer.format));
     }
     let levels = peer.max_depth.checked_sub(1).ok_or("max_depth is 0; the camera rays are level 1")?;
-    let objects = peer
-        .objects
-        .iter()
-        .enumerate()
-        .map(|(k, solid)| solid.to_file().map_err(|message| format!("objects[{k}]: {message}")));
+    let objects = peer.objects.iter().enumerate().map(|(k, solid)| {
+        solid.to_file().map_err(|message| format!("objects[{k}]: {message}"))
+    });
     let scene = json!({
         "title": peer.name,
         "about": peer.about,

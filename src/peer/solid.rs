@@ -57,7 +57,9 @@ impl Shape {
                 (json!({ "shape": "cube" }), steps)
             }
             Self::Cylinder { base, cap, radius } => (json!({ "shape": "cylinder" }), along(*base, *cap, *radius)?),
-            Self::Cone { base, base_radius, cap, cap_radius } => tapered((*base, *base_radius), (*cap, *cap_radius))?,
+            Self::Cone { base, base_radius, cap, cap_radius } => {
+                tapered((*base, *base_radius), (*cap, *cap_radius))?
+            }
             // The peer's axis is y, the generic one's z: the axes change places in a circle, which mirrors nothing.
             Self::Torus { major, minor } => {
                 let rows = [[0.0, *minor, 0.0, 0.0], [0.0, 0.0, *minor, 0.0], [*minor, 0.0, 0.0, 0.0]];
@@ -113,7 +115,8 @@ fn frame(direction: DVec3) -> Option<DMat3> {
 }
 
 fn matrix(linear: DMat3, translation: DVec3) -> Value {
-    let rows: [[f64; 4]; 3] =
-        std::array::from_fn(|row| [linear.x_axis[row], linear.y_axis[row], linear.z_axis[row], translation[row]]);
+    let rows: [[f64; 4]; 3] = std::array::from_fn(|row| {
+        [linear.x_axis[row], linear.y_axis[row], linear.z_axis[row], translation[row]]
+    });
     json!({ "matrix": rows })
 }

@@ -51,7 +51,8 @@ fn compile(file: SceneFile, problems: &mut Problems) -> Option<Scene> {
     let places: BTreeMap<_, _> = materials.keys().enumerate().map(|(i, name)| (name.as_str(), i)).collect();
     let objects = objects(&file.solids.or_default(), &file.objects.or_default(), &places, problems);
     let camera = camera?;
-    let materials: Vec<_> = materials.into_iter().map(|(name, file)| material(name, &file.or_default())).collect();
+    let materials: Vec<_> =
+        materials.into_iter().map(|(name, file)| material(name, &file.or_default())).collect();
     let index = ObjectIndex::new(&objects, &materials, &camera);
     Some(Scene {
         title: file.title.or_default(),

@@ -28,9 +28,9 @@ impl Candidate {
         let corners = objects[object].solid.hull();
         let depths = corners.map(|corner| (corner - camera.eye).dot(camera.forward));
         let error = corners.iter().map(|&corner| blur.at(corner)).fold(0.0, f64::max);
-        let [nearest, farthest] = depths
-            .iter()
-            .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], &depth| [low.min(depth), high.max(depth)]);
+        let [nearest, farthest] = depths.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], &depth| {
+            [low.min(depth), high.max(depth)]
+        });
         let projection = Projection::new(camera, &corners, blur);
         let is_seen = farthest >= -error && projection.meets(&Projection { low: -half, high: half });
         is_seen.then_some(Self { projection, depth: nearest - error, object })
@@ -224,7 +224,9 @@ impl Sights {
         let blur = Blur { skew: index.skew, reach: scene.camera.eye.abs().max_element() };
         let half = DVec2::from(scene.camera.half_size(scene.image));
         let of_light = |light: &Light| match light.kind {
-            LightKind::Point(position) => Some(LightSight::new(position, &scene.objects, &index.bounded, index.skew)),
+            LightKind::Point(position) => {
+                Some(LightSight::new(position, &scene.objects, &index.bounded, index.skew))
+            }
             LightKind::Directional(_) => None,
         };
         Self {

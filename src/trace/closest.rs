@@ -85,8 +85,7 @@ impl Tracer<'_> {
             recorder.count(Counter::ExtentTest);
             recorder.note(|| group(extent, inside, count));
         });
-        let mut objects: Vec<_> =
-            items.into_iter().map(|item| index.bounded[item]).chain(index.unbounded.clone()).collect();
+        let mut objects: Vec<_> = items.into_iter().map(|item| index.bounded[item]).chain(index.unbounded.clone()).collect();
         objects.sort_unstable();
         objects
     }
@@ -106,16 +105,14 @@ impl Tracer<'_> {
         } else {
             IntervalList::default()
         };
-        recorder
-            .end(|| Entry::new(What::Object { index, name: object.name.clone(), intervals: list.intervals().len() }));
+        recorder.end(|| Entry::new(What::Object { index, name: object.name.clone(), intervals: list.intervals().len() }));
         list
     }
 
     /// Whether a ray from the eye may see the object, by its rectangle in the picture.
     fn is_in_sight(&self, index: usize, ray: &Ray, recorder: &mut impl Recorder) -> bool {
         let projection = &self.scene.index.projections[index];
-        let Some(place) =
-            ray.place.filter(|_| self.scene.shortcuts.projections && *projection != Projection::EVERYWHERE)
+        let Some(place) = ray.place.filter(|_| self.scene.shortcuts.projections && *projection != Projection::EVERYWHERE)
         else {
             return true;
         };

@@ -105,8 +105,7 @@ impl Tracer<'_> {
 
     /// Whether the object may be seen in the direction of a ray from the eye.
     fn is_projected(&self, ray: &Ray, object: usize) -> bool {
-        !self.scene.shortcuts.projections
-            || ray.place.is_none_or(|place| self.scene.index.projections[object].holds(place))
+        !self.scene.shortcuts.projections || ray.place.is_none_or(|place| self.scene.index.projections[object].holds(place))
     }
 
     /// The object's first boundary that counts.
@@ -158,8 +157,7 @@ impl Tracer<'_> {
         if ray.leaves_for_good(object, solid) {
             return Ahead::default();
         }
-        let list =
-            if is_met { solid.inside_within(course, recorder) } else { solid.inside_along::<f64>(course, recorder) };
+        let list = if is_met { solid.inside_within(course, recorder) } else { solid.inside_along::<f64>(course, recorder) };
         ray.ahead(object, &self.scene.objects[object], &list)
     }
 }

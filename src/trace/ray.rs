@@ -40,17 +40,7 @@ impl Ray {
     #[must_use]
     pub fn camera(origin: DVec3, direction: DVec3) -> Self {
         let (departure, media, place) = (None, MediaStack::default(), None);
-        Self {
-            kind: RayKind::Camera,
-            origin,
-            direction,
-            depth: 0,
-            weight: 1.0,
-            budget: MOST_RAYS,
-            departure,
-            media,
-            place,
-        }
+        Self { kind: RayKind::Camera, origin, direction, depth: 0, weight: 1.0, budget: MOST_RAYS, departure, media, place }
     }
 
     /// Whether the ray has left a convex object for good, so that nothing of it can lie ahead.
