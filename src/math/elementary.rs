@@ -55,7 +55,6 @@ pub fn exp(x: f64) -> f64 {
 
 /// xᵖ for x ≥ 0, with an error of about u (1 + 2 |ln xᵖ|) xᵖ; up to e⁷⁰⁰ at most.
 #[inline]
-#[must_use]
 pub fn power(x: f64, p: f64) -> f64 {
     if x >= f64::MIN_POSITIVE { exp(p * ln(x)) } else { 0.0 }
 }

@@ -13,7 +13,7 @@ mod wide_map;
 
 pub use alone::Alone;
 pub use double_double::DoubleDouble;
-pub use elementary::{exp, ln, power};
+pub use elementary::{exp, ln};
 pub use pair::Pair;
 pub use quadratic::Quadratic;
 pub use range::Range;

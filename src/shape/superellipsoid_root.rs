@@ -6,7 +6,7 @@
 
 use super::boundary::Root;
 use super::superellipsoid_line::{Line, Probe};
-use crate::math::{Real, power};
+use crate::math::Real;
 
 /// A stretch with one root in it.
 pub(super) struct Bracket<A> {
@@ -48,11 +48,11 @@ impl<A: Real> Cusp<A> {
         let newton = 1.0 - self.exponent * probe.excess / (slope * distance);
         let chord = self.excess / (self.excess - probe.excess);
         let factor = if newton > 0.0 && slope * distance > 0.0 { newton } else { chord };
-        (distance * (power(factor, 1.0 / self.exponent) - 1.0), 2)
+        (distance * (factor.powf(1.0 / self.exponent) - 1.0), 2)
     }
 }
 
-/// Errors of τ below this, as a share of it or of 1, do not show in the result.
+/// Errors of δ below this do not show in the result.
 const SHORT: f64 = f64::EPSILON / 64.0;
 /// Steps shorter than this are followed by exact coordinates: they cost less than one more step.
 const NEAR: f64 = 0.1;
@@ -93,11 +93,10 @@ pub(super) fn root_in<A: Real>(line: &Line<A>, bracket: &Bracket<A>) -> Root {
             let scale = cusp.map_or(last, |cusp| last.min((at - cusp.at).to_f64().abs()));
             let expected = size * (size / scale).powi(if converges { order } else { 1 });
             let in_noise = probe.log.abs() <= 2.0 * A::UNIT_ROUNDOFF * line.exponents.roundings();
-            // A step within the rounding of τ may leave the bracket, whose ends were not rounded so.
-            let size_of_tau = tau.abs().to_f64().max(1.0);
-            let settled = fits && expected <= short * size_of_tau || size <= short.max(A::UNIT_ROUNDOFF * size_of_tau);
             // Far from the surface a step of nothing only says that T has overflowed.
-            let done = in_noise || probe.excess.abs() < 0.1 && settled;
+            // A step within the rounding of τ may leave the bracket, whose ends were not rounded so.
+            let least = short.max(A::UNIT_ROUNDOFF * tau.abs().to_f64());
+            let done = in_noise || probe.excess.abs() < 0.1 && (fits && expected <= short || size <= least);
             let moved = if size.is_finite() && (fits || size <= NEAR * last) { tau + A::from_f64(step) } else { tau };
             best = Some(line.root(moved, &probe, gradient));
             if done {
