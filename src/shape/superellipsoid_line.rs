@@ -224,6 +224,16 @@ impl<'a, A: Real> Line<'a, A> {
         self.dimness + haze(0) + haze(1) + haze(2)
     }
 
+    /// How far off, as a share of itself, a coordinate may be and the slope of its power below 1, given the rate at which it
+    /// grows.
+    pub fn coarseness(&self, axis: usize, rate: f64) -> f64 {
+        let Axis { haze, moves, .. } = self.axes[axis];
+        let off = if moves { haze * rate.abs() } else { haze };
+        // In its plane, or so near that it may be there, the slope has no bound.
+        let in_plane = moves && rate == 0.0 || off >= 0.25;
+        if in_plane { f64::INFINITY } else { 4.0 * (self.dimness + f64::UNIT_ROUNDOFF + off) }
+    }
+
     /// ln g at τ, from coordinates with no error but their last rounding.
     #[inline]
     pub fn probe_exactly(&self, tau: A) -> (Probe<A>, [f64; 3]) {

@@ -7,8 +7,12 @@
 //! d keeps its sign, or the slopes that it only rises or only falls. Else it is halved where it is in doubt. The bounds
 //! close in with the square of the length.
 //!
+//! At a flat pole (m > 1) σ is as steep as it is uncertain, but g is neither: where |z| rises steadily and ρ is concave,
+//! (gᵐ)′/m = ρᵐ⁻¹ ρ′ + |z|ᵐ⁻¹ |z|′ is bounded from below by the values at the ends, and where the bound is positive g only rises.
+//!
 //! Source: R. Horst, H. Tuy, Global Optimization, 3rd ed. (1996), ch. X (differences of convex functions).
 
+use super::gauge::Exponents;
 use super::superellipsoid_line::Line;
 use super::superellipsoid_root::{Bracket, Cusp};
 use super::superellipsoid_search::Search;
@@ -29,6 +33,12 @@ struct Cut<A> {
     touches: bool,
     /// ρ′ and σ′; in a plane with a cusp there are none.
     slopes: [f64; 2],
+    /// ρ, rather too large than too small, and how far off ρ′ may be.
+    most: f64,
+    slope_doubt: f64,
+    /// |z|, rather too small than too large, and |z|′.
+    height: f64,
+    climb: f64,
     /// The exponent of a coordinate that is zero here and makes a cusp.
     cusp: Option<f64>,
 }
@@ -125,12 +135,13 @@ impl<A: Real> Search<'_, A> {
         };
         let ahead = lasts(left, if left.inside { lines.upper[0] } else { -lines.lower[0] });
         let behind = lasts(right, if right.inside { -lines.upper[1] } else { lines.lower[1] });
-        if left.inside == right.inside && ahead + behind >= length {
-            return;
-        }
-        if left.inside != right.inside {
+        if left.inside == right.inside {
+            if ahead + behind >= length || self.is_steady(left, right, length) {
+                return;
+            }
+        } else {
             let sure = if left.inside { lines.slope[0] } else { -lines.slope[1] };
-            if sure > margin || length < Self::shortest() {
+            if sure > margin || length < Self::shortest() || self.is_steady(left, right, length) {
                 self.root_between(left, right, length);
                 return;
             }
@@ -145,6 +156,18 @@ impl<A: Real> Search<'_, A> {
         let middle = self.cut(left.at + A::from_f64(share * length), None, false);
         self.settle(left, &middle);
         self.settle(&middle, right);
+    }
+
+    /// Whether g is sure to rise, or to fall, all the way as |z| does.
+    fn is_steady(&self, left: &Cut<A>, right: &Cut<A>, length: f64) -> bool {
+        let Exponents { n, m, .. } = *self.line.exponents;
+        // Towards the larger |z|, ρ falls fastest at the end, and was at the beginning no more than what it fell by larger.
+        let (low, high, towards) = if left.climb > 0.0 { (left, right, 1.0) } else { (right, left, -1.0) };
+        let climb = low.climb * towards;
+        let fall = high.slope_doubt - towards * high.slopes_towards(towards < 0.0, n)[0];
+        let over = (high.most + fall * length) / low.height;
+        let rises = n < 1.0 && climb > 0.0 && low.height > 0.0;
+        rises && (fall <= 0.0 || over.powf(m - 1.0) * fall < 0.9 * climb)
     }
 
     fn lines(&self, left: &Cut<A>, right: &Cut<A>, length: f64) -> Lines {
@@ -205,6 +228,7 @@ fn cut<A: Real>(line: &Line<A>, at: A) -> Cut<A> {
     };
     let doubt = rounding * (rho + sigma) + cancelled;
     let value = (radius - section).to_f64();
+    let by_place = line.blurred([terms[0], terms[1], 0.0], [rho * shares[0], rho * shares[1], 0.0]);
     Cut {
         at,
         radius,
@@ -214,6 +238,11 @@ fn cut<A: Real>(line: &Line<A>, at: A) -> Cut<A> {
         inside: value < 0.0,
         touches: false,
         slopes: [terms[0] + terms[1], section_slope],
+        most: rho * (1.0 + rounding) + by_place,
+        slope_doubt: (terms[0].abs() + terms[1].abs())
+            * (rounding + line.coarseness(0, rates[0]).max(line.coarseness(1, rates[1]))),
+        height: (z.to_f64() * (1.0 - line.coarseness(2, rates[2]))).max(0.0),
+        climb: z.to_f64() * rates[2],
         cusp: None,
     }
 }

@@ -94,7 +94,9 @@ pub(super) fn root_in<A: Real>(line: &Line<A>, bracket: &Bracket<A>) -> Root {
             let expected = size * (size / scale).powi(if converges { order } else { 1 });
             let in_noise = probe.log.abs() <= 2.0 * A::UNIT_ROUNDOFF * line.exponents.roundings();
             // Far from the surface a step of nothing only says that T has overflowed.
-            let done = in_noise || probe.excess.abs() < 0.1 && (fits && expected <= short || size <= short);
+            // A step within the rounding of τ may leave the bracket, whose ends were not rounded so.
+            let least = short.max(A::UNIT_ROUNDOFF * tau.abs().to_f64());
+            let done = in_noise || probe.excess.abs() < 0.1 && (fits && expected <= short || size <= least);
             let moved = if size.is_finite() && (fits || size <= NEAR * last) { tau + A::from_f64(step) } else { tau };
             best = Some(line.root(moved, &probe, gradient));
             if done {

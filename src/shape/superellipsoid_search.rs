@@ -358,4 +358,27 @@ mod tests {
             assert_eq!(attempt.found.roots.as_ref().len(), expected, "{n} {m}");
         }
     }
+
+    #[test]
+    fn rays_through_a_flat_pole_need_no_more_digits() {
+        let origin = DVec3::new(-16.7, -6.7, 23.8);
+        for (n, m) in [(0.8, 8.0), (0.8, 20.0), (0.8, 300.0), (0.5, 20.0), (0.3, 40.0)] {
+            let shape = Superellipsoid::new(n, m).unwrap();
+            for aim in [[0.1, 0.05], [-0.05, 0.1], [0.001, 0.002], [-0.07, -0.01], [1e-5, 1e-4]] {
+                let target = DVec3::new(aim[0], aim[1], 1.0);
+                let ray = GenericRay::<f64>::new(origin, target - origin);
+                let attempt = search(&shape.exponents, &ray);
+                assert!(
+                    attempt.decided && attempt.found.stretches < 20,
+                    "{n} {m} {aim:?}: {}",
+                    attempt.found.stretches
+                );
+                let entry = ray.point(attempt.found.roots.as_ref()[0].tau);
+                // |z| = (1 − ρᵐ)^(1/m), which is at least 1 − ρᵐ.
+                let radius = (entry.x.abs().powf(n) + entry.y.abs().powf(n)).powf(1.0 / n);
+                let missing = 1.0 - entry.z;
+                assert!(-1e-13 < missing && missing < radius.powf(m) + 1e-13, "{n} {m} {aim:?}: {entry}");
+            }
+        }
+    }
 }
