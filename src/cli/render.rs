@@ -5,9 +5,9 @@ use super::output::Output;
 use super::progress::{stop_on_ctrl_c, with_bar};
 use super::scene_argument::{SceneArgument, SizeArguments};
 use super::stats::{self, Seconds, Stats};
-use crate::scene::Scene;
+use crate::scene::{Scene, Shortcuts};
 use crate::trace::{Picture, Progress, Tally, render};
-use clap::Args;
+use clap::{Args, ValueEnum};
 use image::ImageEncoder;
 use image::codecs::png::PngEncoder;
 use std::path::PathBuf;
@@ -21,6 +21,7 @@ Examples:
   rayscope render csg/bowl -o bowl.png
   rayscope render csg/bowl -o large.png --width 1920
   rayscope render my-scene.json -o picture.png --threads 1 --stats stats.json
+  rayscope render csg/bowl -o slow.png --without boxes,hierarchy --stats slow.json
 
 Ctrl-C writes the pixels that are finished and ends with exit code 130; a second Ctrl-C ends at once.
 A picture is written whole or not at all: a file that was there before is replaced only at the end.")]
@@ -35,9 +36,25 @@ pub struct Render {
     /// Threads to render with [default: one for each core]; the picture is the same for any number
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
+    /// Leave out what spares rays their tests, to see what it saves; the picture is the same
+    #[arg(long, value_name = "KIND,…", value_delimiter = ',', value_enum)]
+    without: Vec<Shortcut>,
     /// Also write what the picture took: rays by kind, tests by shape, seconds by phase, effects called for
     #[arg(long, value_name = "FILE")]
     stats: Option<PathBuf>,
+}
+
+/// Something that spares rays their tests.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Shortcut {
+    /// The boxes around solids and their parts
+    Boxes,
+    /// The rectangles of objects in the picture
+    Projections,
+    /// The tree of boxes over the objects
+    Hierarchy,
+    /// The grids of what the eye and the lights see
+    Sights,
 }
 
 /// What came of the rendering, with what it took.
@@ -54,7 +71,8 @@ impl Render {
     /// Renders and writes.
     pub fn run(&self) -> Result<(), Failure> {
         let began = Instant::now();
-        let scene = self.scene.load_sized(self.size)?;
+        let mut scene = self.scene.load_sized(self.size)?;
+        scene.shortcuts = self.shortcuts();
         let load = began.elapsed();
         let output = Output::create(Some(&self.output))?;
         if output.is_terminal() {
@@ -72,6 +90,16 @@ impl Render {
             stats.write(self.stats_text(&scene, &rendered, write)?.as_bytes())?;
         }
         if rendered.interrupted { Err(self.interrupted(&rendered.picture)) } else { Ok(()) }
+    }
+
+    fn shortcuts(&self) -> Shortcuts {
+        let keeps = |kind| !self.without.contains(&kind);
+        Shortcuts {
+            boxes: keeps(Shortcut::Boxes),
+            projections: keeps(Shortcut::Projections),
+            hierarchy: keeps(Shortcut::Hierarchy),
+            sights: keeps(Shortcut::Sights),
+        }
     }
 
     fn render(&self, scene: &Scene, load: Duration) -> Result<Rendered, Failure> {

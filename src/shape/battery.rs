@@ -115,6 +115,9 @@ proptest! {
                 prop_assert_eq!(crossings.len() % 2, 0);
                 prop_assert!(crossings.first().is_none_or(|hit| hit.sense == Sense::Enter));
             }
+            if shape.is_convex() {
+                prop_assert!(crossings.len() <= 2, "{shape:?} is not convex");
+            }
             check_signs(shape, origin, direction, &crossings);
         }
     }
