@@ -69,9 +69,9 @@ impl Child {
 impl Node {
     fn empty() -> Self {
         Self {
-        sides: [[f64x4::splat(f64::INFINITY), f64x4::splat(f64::NEG_INFINITY)]; 3],
-        children: [Child::NONE; WIDTH],
-    }
+            sides: [[f64x4::splat(f64::INFINITY), f64x4::splat(f64::NEG_INFINITY)]; 3],
+            children: [Child::NONE; WIDTH],
+        }
     }
 
     fn set(&mut self, place: usize, extent: &Extent, child: Child) {
@@ -83,7 +83,8 @@ impl Node {
     }
 
     fn extent(&self, place: usize) -> Extent {
-        let corner = |side: usize| DVec3::from_array(std::array::from_fn(|axis| self.sides[axis][side].to_array()[place]));
+        let corner =
+            |side: usize| DVec3::from_array(std::array::from_fn(|axis| self.sides[axis][side].to_array()[place]));
         Extent { low: corner(0), high: corner(1) }
     }
 

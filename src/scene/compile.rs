@@ -52,6 +52,10 @@ fn compile(file: SceneFile, problems: &mut Problems) -> Option<Scene> {
     let objects = objects(&file.solids.or_default(), &file.objects.or_default(), &places, problems);
     let camera = camera?;
     let materials: Vec<_> = materials.into_iter().map(|(name, file)| material(name, &file.or_default())).collect();
+    if !problems.list.is_empty() {
+        // What is wrong may be a material that does not exist; nothing may look it up.
+        return None;
+    }
     let index = ObjectIndex::new(&objects, &materials, &camera);
     Some(Scene {
         title: file.title.or_default(),

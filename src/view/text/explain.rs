@@ -17,11 +17,9 @@ fn explain_search(what: &What) -> Option<&'static str> {
         What::Object { .. } => {
             "All stretches of the ray inside this object are found, for every t, in front of the eye and behind it."
         }
-        What::Extent { inside: Some(_), .. } => {
-            "The ray passes through the box that holds the solid, so the solid itself must be tested."
-        }
+        What::Extent { inside: Some(_), .. } => "The ray passes through the box, so what the box holds must be tested.",
         What::Extent { inside: None, .. } => {
-            "The ray misses the box that holds the solid, so nothing inside the box needs to be tested."
+            "The ray misses the box, so nothing that the box holds needs to be tested."
         }
         What::Projection { holds: true, .. } => {
             "The pixel lies in the rectangle of the picture outside which the object cannot be seen, so the object must be \
