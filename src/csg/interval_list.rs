@@ -96,6 +96,7 @@ impl IntervalList {
     }
 
     /// The inside intervals, ascending.
+    #[must_use]
     pub fn intervals(&self) -> impl ExactSizeIterator<Item = Interval> {
         let ends = self.ends();
         // Where the ray begins inside, the first interval has no beginning.

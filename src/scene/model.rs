@@ -141,6 +141,7 @@ pub struct Limits {
 
 /// What a ray may be spared. None of it changes a picture; each can be left out to see what it saves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[expect(clippy::struct_excessive_bools, reason = "independent switches, each used alone")]
 pub struct Shortcuts {
     /// Tests against the boxes of solids and of what they are made of.
     pub boxes: bool,

@@ -88,7 +88,7 @@ impl Sight {
         if !(column >= 0.0 && row >= 0.0 && column <= self.columns as f64 && row <= self.rows as f64) {
             return None;
         }
-        let cell = self.index(column, self.columns) + self.index(row, self.rows) * self.columns;
+        let cell = Self::index(column, self.columns) + Self::index(row, self.rows) * self.columns;
         let list = &self.lists[self.starts[cell] as usize..self.starts[cell + 1] as usize];
         Some(list.iter().map(|&k| &self.candidates[k as usize]).filter(move |seen| seen.projection.holds(place)))
     }
@@ -110,7 +110,7 @@ impl Sight {
     }
 
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "the cast of a float saturates")]
-    fn index(&self, cell: f64, count: usize) -> usize {
+    fn index(cell: f64, count: usize) -> usize {
         (cell as usize).min(count - 1)
     }
 
@@ -118,7 +118,7 @@ impl Sight {
     /// by the same sum, which is monotonic.
     fn overlapped(&self, projection: &Projection) -> [[usize; 2]; 2] {
         let (low, high) = (self.cell(projection.low), self.cell(projection.high));
-        let range = |axis: usize, count| [self.index(low[axis], count), self.index(high[axis], count)];
+        let range = |axis: usize, count| [Self::index(low[axis], count), Self::index(high[axis], count)];
         [range(0, self.columns), range(1, self.rows)]
     }
 
@@ -203,7 +203,7 @@ impl LightSight {
 /// The camera that looks at a face of the cube around a light.
 fn face(eye: DVec3, k: usize) -> Camera {
     let axis = k / 2;
-    let forward = if k % 2 == 0 { -DVec3::AXES[axis] } else { DVec3::AXES[axis] };
+    let forward = if k.is_multiple_of(2) { -DVec3::AXES[axis] } else { DVec3::AXES[axis] };
     Camera { eye, right: DVec3::AXES[(axis + 1) % 3], up: DVec3::AXES[(axis + 2) % 3], forward, half_height: 1.0 }
 }
 
