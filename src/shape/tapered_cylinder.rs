@@ -253,9 +253,11 @@ impl Primitive for TaperedCylinder {
             BASE => DVec3::NEG_Z,
             CAP => DVec3::Z,
             _ => {
-                let radius = point.truncate().length();
+                // Brought to size, so that neither the square nor the product overflows on the widest of walls.
+                let across = point.truncate() * scale_to_unit([point.x, point.y, 0.0]);
+                let steep = (-self.slope() * across.length()).clamp(f64::MIN, f64::MAX);
                 // At the apex every direction between the sides would do; along the axis is the fair one.
-                if radius > 0.0 { DVec3::new(point.x, point.y, -self.slope() * radius) } else { DVec3::Z }
+                if across == DVec2::ZERO { DVec3::Z } else { across.extend(steep) }
             }
         }
     }
