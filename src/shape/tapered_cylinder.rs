@@ -33,7 +33,7 @@ use super::boundary::{Boundaries, Root};
 use super::solver::{self, Attempt, Call, Solver};
 use super::tapered_wall::Wall;
 use super::{Bounds, Crossing, Crossings, GenericRay, HalfSpace, Part, Primitive, outline, plane_table, report};
-use crate::math::Real;
+use crate::math::{Real, scale_to_unit};
 use crate::record::{Candidate, Entry, Recorder, Sense, format_number};
 use glam::{DVec2, DVec3};
 
