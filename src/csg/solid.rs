@@ -193,7 +193,7 @@ impl Solid {
     #[must_use]
     pub fn normal(&self, boundary: &Boundary, world_point: DVec3) -> DVec3 {
         let leaf = &self.leaves[boundary.leaf];
-        let point = leaf.placement.generic_from_world.transform_point3(world_point);
+        let point = among_numbers(leaf.placement.generic_from_world.transform_point3(among_numbers(world_point)));
         let normal = leaf.placement.world_normal(leaf.shape.normal(point, boundary.part));
         if boundary.flipped { -normal } else { normal }
     }
@@ -367,4 +367,11 @@ fn early_out(operator: Operator, left: &IntervalList, right: &IntervalList) -> O
         (Operator::Difference, _, true) => Some("the ray misses the right solid, so the left list is the result"),
         _ => None,
     }
+}
+
+/// The point, or the outermost one in its direction where its coordinates are too large for numbers.
+#[inline]
+fn among_numbers(point: DVec3) -> DVec3 {
+    let outermost = |x: f64| if x.is_nan() { 0.0 } else { x.clamp(f64::MIN, f64::MAX) };
+    if point.is_finite() { point } else { DVec3::from_array(point.to_array().map(outermost)) }
 }
