@@ -102,9 +102,13 @@ fn affine([x, y, z]: [[f64; 4]; 3]) -> DAffine3 {
 fn unit(v: DVec3) -> DVec3 {
     let square = v.length_squared();
     // Where the square is neither too large nor too small for its digits, scaling by a power of two changes none of them.
-    if (1e-200..1e200).contains(&square) {
-        v / square.sqrt()
-    } else {
-        (v * crate::math::scale_to_unit(v.to_array())).normalize()
-    }
+    if (1e-200..1e200).contains(&square) { v / square.sqrt() } else { extreme_unit(v) }
+}
+
+/// The same where squares overflow or vanish. A coordinate that is too large for a number outweighs all others.
+#[cold]
+fn extreme_unit(v: DVec3) -> DVec3 {
+    let outweighing = |x: f64| if x.is_infinite() { x.signum() } else { 0.0 };
+    let v = if v.is_finite() { v } else { DVec3::from_array(v.to_array().map(outweighing)) };
+    (v * crate::math::scale_to_unit(v.to_array())).try_normalize().unwrap_or(DVec3::Z)
 }

@@ -30,7 +30,9 @@ impl Boundaries for Option<Root> {
     #[inline]
     fn append(self, first: Sense, t_per_tau: f64, certificate: Certificate, crossings: &mut Crossings) {
         let crossing = self.map(|root| crossing(root, t_per_tau, first, certificate));
-        crossings.extend(crossing.filter(|crossing| !crossing.t.is_nan()));
+        if let Some(crossing) = crossing.filter(|crossing| !crossing.t.is_nan()) {
+            crossings.push(crossing);
+        }
     }
 }
 
@@ -39,8 +41,9 @@ impl Boundaries for Option<[Root; 2]> {
     #[inline]
     fn append(self, first: Sense, t_per_tau: f64, certificate: Certificate, crossings: &mut Crossings) {
         let ends = self.and_then(|roots| stretch(roots, first, t_per_tau, certificate));
-        if let Some(ends) = ends {
-            crossings.extend_from_slice(&ends);
+        if let Some([enter, leave]) = ends {
+            crossings.push(enter);
+            crossings.push(leave);
         }
     }
 }
@@ -77,7 +80,8 @@ pub(super) fn append_stretch(
         before.error = smaller(before.error, room);
         enter.error = smaller(enter.error, room);
     }
-    crossings.extend_from_slice(&[enter, leave]);
+    crossings.push(enter);
+    crossings.push(leave);
 }
 
 /// A few roots without a heap.
