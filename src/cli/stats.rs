@@ -24,7 +24,7 @@ pub struct Stats<'a> {
     pub effects: Vec<Effect>,
 }
 
-/// Tests against boxes.
+/// Tests against the boxes of single solids; those of the hierarchy are not counted.
 #[derive(Debug, Serialize)]
 pub struct Extents {
     pub tests: u64,
@@ -65,7 +65,7 @@ pub fn tests(tally: &Tally) -> BTreeMap<&'static str, u64> {
     tally.shape_tests().into_iter().collect()
 }
 
-/// Tests against boxes.
+/// Tests against the boxes of single solids; those of the hierarchy are not counted.
 pub fn extents(tally: &Tally) -> Extents {
     Extents { tests: tally.extent_tests(), misses: tally.extent_misses() }
 }

@@ -168,8 +168,8 @@ impl Hierarchy {
         }
     }
 
-    /// The items whose boxes the whole line meets, ascending. `missed` is told of every box that the line misses, with how
-    /// many items are in it.
+    /// The items that the whole line can meet, ascending: all that stand in a node whose box it meets, whatever their own
+    /// boxes say. `told` hears of the box of every node that is come to, when the line is in it, and how many items it holds.
     pub fn reached(&self, course: &Course, mut told: impl FnMut(&Extent, Option<[f64; 2]>, usize)) -> Vec<usize> {
         let mut items = Vec::new();
         self.reach(0, course, &mut items, &mut told);

@@ -175,7 +175,7 @@ impl Solid {
         Query { is_met: true, ..Query::new(self, course) }.whole::<f64, _>(recorder)
     }
 
-    /// The first boundary with t > 0, for rays that need no more; `is_met` where it is known that the ray meets the extent.
+    /// The first boundary with t > 0, for rays that need no more and are not told of: solvers report nothing. `is_met` where it is known that the ray meets the extent.
     pub fn first_in_front(
         &self,
         course: &Course,

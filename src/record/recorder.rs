@@ -9,7 +9,8 @@ pub enum Counter {
     Ray(RayKind),
     /// A ray was tested against a primitive; the number is the shape's place in the list of shapes.
     ShapeTest(usize),
-    /// A ray was tested against an extent.
+    /// A ray was tested against the box of one solid. Boxes of several objects, which are tested four at a time, are not
+    /// counted.
     ExtentTest,
     /// An extent test that spared the work behind it.
     ExtentMiss,

@@ -3,7 +3,7 @@
 use super::departure::Ahead;
 use super::ray::{Ray, Tracer};
 use crate::csg::{Boundary, Course, Extent, IntervalList, Leaf};
-use crate::record::{Counter, Entry, Recorder, Sense, Value, What};
+use crate::record::{Entry, Recorder, Sense, Value, What};
 use crate::scene::{Material, Projection};
 use crate::shape::Primitive;
 use glam::DVec3;
@@ -82,7 +82,6 @@ impl Tracer<'_> {
             return (0..self.scene.objects.len()).collect();
         }
         let items = index.hierarchy.reached(course, |extent, inside, count| {
-            recorder.count(Counter::ExtentTest);
             recorder.note(|| group(extent, inside, count));
         });
         let mut objects: Vec<_> =

@@ -32,7 +32,7 @@ impl Tally {
         Shape::NAMES.iter().copied().zip(self.shape_tests.iter().copied()).collect()
     }
 
-    /// How often a ray was tested against an extent.
+    /// How often a ray was tested against the box of one solid; the boxes of the hierarchy are not counted.
     #[must_use]
     pub const fn extent_tests(&self) -> u64 {
         self.extent_tests
