@@ -1,4 +1,5 @@
-//! Prints what every solver takes for a ray, and its ratio to the textbook's: `cargo bench --bench ratios`.
+//! Prints what every solver takes for a ray, and its ratio to the textbook's: `cargo bench --bench ratios`, or of some shapes
+//! alone: `cargo bench --bench ratios -- cube torus`.
 //!
 //! The solvers take turns, so that what slows the machine down slows all of them; the median of many turns is taken, with
 //! the middle half of the turns beside it.
@@ -14,6 +15,8 @@ use std::time::{Duration, Instant};
 const TURNS_TAKE: Duration = Duration::from_millis(600);
 
 fn main() {
+    let wanted: Vec<String> = std::env::args().skip(1).filter(|word| !word.starts_with("--")).collect();
+    let is_wanted = |name: &str| wanted.is_empty() || wanted.iter().any(|word| name.contains(word.as_str()));
     println!("ns a ray (a quarter of all turns was faster, a quarter slower), and the ratio to the textbook's");
     print!("{:24}", "");
     for (solver, _) in CONTESTANTS {
@@ -21,7 +24,7 @@ fn main() {
     }
     println!("{:>12}{:>12}", "adaptive /", "hits a ray");
     println!("{:152}{:>12}", "", "textbook");
-    for (name, shape) in shapes() {
+    for (name, shape) in shapes().into_iter().filter(|(name, _)| is_wanted(name)) {
         let rays = rays(&shape);
         let mut crossings = Crossings::new();
         let mut nanoseconds = CONTESTANTS.map(|_| Vec::new());

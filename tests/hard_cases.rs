@@ -284,7 +284,7 @@ fn the_apex_of_a_cone_is_right_in_a_field_of_a_millionth() {
         [json!([slim]), json!([slim, {"rotate": {"axis": [0, 1, 0], "degrees": 30}}, {"translate": [-0.5, 0, 0.125]}])];
     for pose in poses {
         let cone = solid("cone", 0, &pose);
-        let apex = scene(ABOVE, std::slice::from_ref(&cone)).objects[0].solid.leaves[0].placement.world_from_generic;
+        let apex = scene(ABOVE, std::slice::from_ref(&cone)).objects[0].solid.leaves[0].placement.world_from_generic();
         let apex = apex.transform_point3(glam::DVec3::Z).to_array();
         for eye in [[apex[0] + 0.5, -6.0, apex[2]], [apex[0], -4.0, apex[2] + 3.5]] {
             let view = View { size: [160, 120], ..View::new(eye, apex, field(1e-6, 6.0)) };

@@ -90,6 +90,15 @@ fn at_brewsters_angle_no_light_that_swings_in_the_plane_of_incidence_is_reflecte
 }
 
 #[test]
+fn a_grazing_ray_into_a_medium_next_to_nothing_splits_as_fresnel_says() {
+    // cos θ₂ = 1, so r_p = (n₂ cos θ₁ − n₁) / (n₂ cos θ₁ + n₁), where n₂ cos θ₁ / n₁ = 3 / √10.
+    let optics = refract(DVec3::new(1e150, 1.0, 0.0), DVec3::new(0.0, 3.0, 1.0), 1.0, 1e150);
+    let ratio = 3.0 / 10.0_f64.sqrt();
+    near(optics.fresnel()[1], ((ratio - 1.0) / (ratio + 1.0)).powi(2));
+    near(optics.fresnel()[0], 1.0);
+}
+
+#[test]
 fn a_ray_along_the_interface_is_reflected_wholly() {
     let optics = refract(DVec3::X, DVec3::Z, 1.0, 1.5);
     assert_eq!((optics.reflectance(), optics.cos_i, optics.theta1_degrees()), (1.0, 0.0, 90.0));

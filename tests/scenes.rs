@@ -113,7 +113,7 @@ fn transforms_are_applied_in_order_and_those_of_compounds_after_those_of_their_p
     let scene = load(text, "transforms.json").unwrap();
     let placement = &scene.objects[0].solid.leaves[0].placement;
     // (1, 0, 0) is scaled to (2, 0, 0), moved to (12, 0, 0), turned to (0, 12, 0) and moved to (0, 12, 5).
-    assert_eq!(placement.world_from_generic.transform_point3(DVec3::X), DVec3::new(0.0, 12.0, 5.0));
+    assert_eq!(placement.world_from_generic().transform_point3(DVec3::X), DVec3::new(0.0, 12.0, 5.0));
 }
 
 #[test]

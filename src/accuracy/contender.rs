@@ -90,7 +90,7 @@ fn node_by_the_book(solid: &Solid, node: &Node, origin: DVec3, direction: DVec3)
         Node::Leaf { leaf, .. } => {
             let leaf = &solid.leaves[*leaf];
             let mut found = Crossings::new();
-            textbook::crossings(&leaf.shape, &leaf.placement.generic_ray(origin, direction), &mut found);
+            textbook::crossings(&leaf.shape, &leaf.placement.generic_ray(&[origin, direction]), &mut found);
             found
         }
         Node::Pair { operator, left, right, .. } => {

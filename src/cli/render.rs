@@ -49,9 +49,11 @@ pub struct Render {
 enum Shortcut {
     /// The boxes around solids and their parts
     Boxes,
+    /// The balls around those for which they are much smaller than boxes
+    Balls,
     /// The rectangles of objects in the picture
     Projections,
-    /// The tree of boxes over the objects
+    /// The trees of boxes over the objects, and over what large unions are made of
     Hierarchy,
     /// The grids of what the eye and the lights see
     Sights,
@@ -96,6 +98,7 @@ impl Render {
         let keeps = |kind| !self.without.contains(&kind);
         Shortcuts {
             boxes: keeps(Shortcut::Boxes),
+            balls: keeps(Shortcut::Balls),
             projections: keeps(Shortcut::Projections),
             hierarchy: keeps(Shortcut::Hierarchy),
             sights: keeps(Shortcut::Sights),

@@ -1,37 +1,77 @@
-//! A ray, made ready to be tested against many extents.
+//! A ray on its way past many extents.
 
 use glam::DVec3;
+use std::cell::OnceCell;
 
-/// A ray with what every extent test asks of it, worked out once.
+/// A ray that can be tested against extents; what these tests ask of it is worked out when the first one does.
+#[derive(Clone, Debug)]
+pub struct Course {
+    /// Where the ray starts, and where it goes.
+    pub line: [DVec3; 2],
+    /// Whether it is tested against the boxes of solids at all.
+    pub(super) boxes: bool,
+    /// The same for their balls.
+    pub(super) balls: bool,
+    /// Whether it goes through the hierarchies of wide unions.
+    pub(super) hierarchies: bool,
+    pub(super) skew: f64,
+    slabs: OnceCell<Slabs>,
+}
+
+/// What every extent test asks of a ray.
 ///
 /// An extent must never lose a hit that its solid's solver finds. So the box is tested as if it were wider by what
 /// rounding can do to the ray on its way into generic coordinates: `near_start` and `far_start` are the origin moved
 /// outwards by that much, and the times are widened by as many roundings (after Ize, JCGT 2(2), 2013).
 #[derive(Clone, Copy, Debug)]
-pub struct Course {
-    /// Where the ray starts.
-    pub origin: DVec3,
-    /// Where it goes.
-    pub direction: DVec3,
-    /// Whether it is tested against the boxes of solids at all.
-    pub(super) boxes: bool,
-    pub(super) per_direction: [f64; 3],
-    pub(super) backwards: [bool; 3],
-    pub(super) near_start: [f64; 3],
-    pub(super) far_start: [f64; 3],
-    pub(super) widening: f64,
+pub(super) struct Slabs {
+    pub per_direction: [f64; 3],
+    pub backwards: [bool; 3],
+    pub near_start: [f64; 3],
+    pub far_start: [f64; 3],
+    pub widening: f64,
 }
 
 /// Roundings in the way of a ray into generic coordinates and in a slab test. Fewer could cut off a grazing hit; more would
 /// only cost a test now and then.
-const ROUNDINGS: f64 = 16.0 * f64::EPSILON;
+pub(super) const ROUNDINGS: f64 = 16.0 * f64::EPSILON;
 
 impl Course {
     /// The ray through `origin`; `skew` is the largest of the solids that it will be tested against
     /// ([`Placement::skew`](super::Placement::skew)).
     #[must_use]
     #[inline]
-    pub fn new(origin: DVec3, direction: DVec3, skew: f64) -> Self {
+    pub const fn new(origin: DVec3, direction: DVec3, skew: f64) -> Self {
+        let (boxes, balls, hierarchies) = (true, true, true);
+        Self { line: [origin, direction], boxes, balls, hierarchies, skew, slabs: OnceCell::new() }
+    }
+
+    /// The same ray, tested against the boxes of solids or not.
+    #[must_use]
+    pub fn testing_boxes(self, boxes: bool) -> Self {
+        Self { boxes, ..self }
+    }
+
+    /// The same ray, tested against the balls of solids or not.
+    #[must_use]
+    pub fn testing_balls(self, balls: bool) -> Self {
+        Self { balls, ..self }
+    }
+
+    /// The same ray, led through the hierarchies of wide unions or not.
+    #[must_use]
+    pub fn using_hierarchies(self, hierarchies: bool) -> Self {
+        Self { hierarchies, ..self }
+    }
+
+    #[inline]
+    pub(super) fn slabs(&self) -> &Slabs {
+        self.slabs.get_or_init(|| Slabs::new(self.line, self.skew))
+    }
+}
+
+impl Slabs {
+    fn new([origin, direction]: [DVec3; 2], skew: f64) -> Self {
         let slack = ROUNDINGS * skew * origin.abs().max_element();
         let (start, course) = (origin.to_array(), direction.to_array());
         let per_direction = course.map(|d| 1.0 / d);
@@ -39,9 +79,6 @@ impl Course {
         let moved =
             |by: f64| std::array::from_fn(|axis| if backwards[axis] { start[axis] - by } else { start[axis] + by });
         Self {
-            origin,
-            direction,
-            boxes: true,
             per_direction,
             backwards,
             near_start: moved(slack),
@@ -50,15 +87,9 @@ impl Course {
         }
     }
 
-    /// The same ray, tested against the boxes of solids or not.
-    #[must_use]
-    pub const fn testing_boxes(self, boxes: bool) -> Self {
-        Self { boxes, ..self }
-    }
-
     /// The times of a box, further apart by what they can be off.
     #[inline]
-    pub(super) fn widened(&self, [t_in, t_out]: [f64; 2]) -> [f64; 2] {
+    pub fn widened(&self, [t_in, t_out]: [f64; 2]) -> [f64; 2] {
         [t_in - self.widening * t_in.abs(), t_out + self.widening * t_out.abs()]
     }
 }

@@ -33,10 +33,10 @@ impl Extent {
         }
         let centre = (bounds.low + bounds.high) * 0.5;
         let half = (bounds.high - bounds.low) * 0.5;
-        let matrix = placement.world_from_generic.matrix3;
-        let world_centre = placement.world_from_generic.transform_point3(centre);
+        let matrix = placement.world_from_generic().matrix3;
+        let world_centre = placement.world_from_generic().transform_point3(centre);
         let world_half = matrix.abs() * half;
-        let size = world_half + matrix.abs() * centre.abs() + placement.world_from_generic.translation.abs();
+        let size = world_half + matrix.abs() * centre.abs() + placement.world_from_generic().translation.abs();
         let padding = size.max_element() * PADDING * placement.skew();
         let padding = if padding.is_finite() { padding } else { f64::INFINITY };
         Self { low: world_centre - world_half - padding, high: world_centre + world_half + padding }
@@ -62,17 +62,18 @@ impl Extent {
     #[must_use]
     #[inline]
     pub fn inside(&self, course: &Course) -> Option<[f64; 2]> {
+        let slabs = course.slabs();
         let (low, high) = (self.low.to_array(), self.high.to_array());
         let (mut t_in, mut t_out) = (f64::NEG_INFINITY, f64::INFINITY);
         for axis in 0..3 {
-            let [near, far] = if course.backwards[axis] { [high[axis], low[axis]] } else { [low[axis], high[axis]] };
-            let near = (near - course.near_start[axis]) * course.per_direction[axis];
-            let far = (far - course.far_start[axis]) * course.per_direction[axis];
+            let [near, far] = if slabs.backwards[axis] { [high[axis], low[axis]] } else { [low[axis], high[axis]] };
+            let near = (near - slabs.near_start[axis]) * slabs.per_direction[axis];
+            let far = (far - slabs.far_start[axis]) * slabs.per_direction[axis];
             // A ray that lies in a side gives 0 · ∞ = NaN, which both comparisons pass over.
             t_in = if near > t_in { near } else { t_in };
             t_out = if far < t_out { far } else { t_out };
         }
-        let [t_in, t_out] = course.widened([t_in, t_out]);
+        let [t_in, t_out] = slabs.widened([t_in, t_out]);
         (t_in <= t_out).then_some([t_in, t_out])
     }
 

@@ -1,22 +1,23 @@
 //! A tree of boxes over many boxes: a ray that misses a box is spared all that is in it (§ 6.5.4, taken further).
 //!
-//! Each node holds the boxes of up to four children side by side, so that one pass over them tests all four, in the
+//! Each node holds the boxes of up to eight children side by side, so that one pass over them tests all eight, in the
 //! vector registers where there are some. Where to cut is chosen by the surface area heuristic with bins.
 //!
 //! **Source** I. Wald, "On fast construction of SAH-based bounding volume hierarchies", IEEE Symposium on Interactive
-//! Ray Tracing (2007); four children: H. Dammertz et al., "Shallow bounding volume hierarchies for fast SIMD ray tracing of
+//! Ray Tracing (2007); many children: H. Dammertz et al., "Shallow bounding volume hierarchies for fast SIMD ray tracing of
 //! incoherent rays", EGSR (2008).
 //!
 //! The crates for such trees work in single precision or do not widen their boxes by what rounding can do; a box here must
 //! never lose a hit that the solver behind it would find, so it is written for [`Course`].
 
+use super::course::Slabs;
 use super::{Course, Extent};
 use arrayvec::ArrayVec;
 use glam::DVec3;
-use wide::f64x4;
+use wide::f64x8;
 
 /// Children of a node.
-const WIDTH: usize = 4;
+const WIDTH: usize = 8;
 
 /// A tree over boxes that are numbered from 0.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -24,11 +25,11 @@ pub struct Hierarchy {
     nodes: Vec<Node>,
 }
 
-/// Up to four boxes side by side.
+/// Up to eight boxes side by side.
 #[derive(Clone, Debug, PartialEq)]
 struct Node {
     /// For each axis the low, then the high sides.
-    sides: [[f64x4; 2]; 3],
+    sides: [[f64x8; 2]; 3],
     children: [Child; WIDTH],
 }
 
@@ -69,7 +70,7 @@ impl Child {
 impl Node {
     fn empty() -> Self {
         Self {
-            sides: [[f64x4::splat(f64::INFINITY), f64x4::splat(f64::NEG_INFINITY)]; 3],
+            sides: [[f64x8::splat(f64::INFINITY), f64x8::splat(f64::NEG_INFINITY)]; 3],
             children: [Child::NONE; WIDTH],
         }
     }
@@ -88,30 +89,30 @@ impl Node {
         Extent { low: corner(0), high: corner(1) }
     }
 
-    /// The times of all four boxes, none before 0; an empty box is left before it is entered.
+    /// The times of all eight boxes, none before 0; an empty box is left before it is entered.
     #[inline]
-    fn times(&self, course: &Course) -> [f64x4; 2] {
-        let (mut t_in, mut t_out) = (f64x4::ZERO, f64x4::splat(f64::INFINITY));
+    fn times(&self, slabs: &Slabs) -> [f64x8; 2] {
+        let (mut t_in, mut t_out) = (f64x8::ZERO, f64x8::splat(f64::INFINITY));
         for axis in 0..3 {
             let [low, high] = self.sides[axis];
-            let (near, far) = if course.backwards[axis] { (high, low) } else { (low, high) };
-            let per_direction = f64x4::splat(course.per_direction[axis]);
-            let near = (near - f64x4::splat(course.near_start[axis])) * per_direction;
-            let far = (far - f64x4::splat(course.far_start[axis])) * per_direction;
+            let (near, far) = if slabs.backwards[axis] { (high, low) } else { (low, high) };
+            let per_direction = f64x8::splat(slabs.per_direction[axis]);
+            let near = (near - f64x8::splat(slabs.near_start[axis])) * per_direction;
+            let far = (far - f64x8::splat(slabs.far_start[axis])) * per_direction;
             // What is not a number (0 · ∞, for a ray that lies in a side) is passed over by both comparisons.
             t_in = near.simd_gt(t_in).select(near, t_in);
             t_out = far.simd_lt(t_out).select(far, t_out);
         }
-        let widening = f64x4::splat(course.widening);
+        let widening = f64x8::splat(slabs.widening);
         [t_in - widening * t_in.abs(), t_out + widening * t_out.abs()]
     }
 
     /// The nearest child that the ray meets before the limit; the others are put on the pile, the nearest on top.
     #[inline]
-    fn open(&self, course: &Course, limit: f64, waiting: &mut Pile) -> Option<Child> {
-        let [t_in, t_out] = self.times(course);
-        // All four answers at once: a branch for each would be guessed wrong too often.
-        let mut met = (t_in.simd_le(t_out) & t_in.simd_le(f64x4::splat(limit))).to_bitmask();
+    fn open(&self, slabs: &Slabs, limit: f64, waiting: &mut Pile) -> Option<Child> {
+        let [t_in, t_out] = self.times(slabs);
+        // All eight answers at once: a branch for each would be guessed wrong too often.
+        let mut met = (t_in.simd_le(t_out) & t_in.simd_le(f64x8::splat(limit))).to_bitmask();
         let (t_in, base) = (t_in.to_array(), waiting.len());
         while met != 0 {
             let place = met.trailing_zeros() as usize;
@@ -130,9 +131,9 @@ impl Node {
 /// A child that waits for its turn, and when the ray comes to it.
 type Waiting = (f64, Child);
 
-/// Room for the children of as many levels as there can be: those with a chosen cut, and those that halve 2³¹ items twice
-/// each.
-type Pile = ArrayVec<Waiting, { (DEEPEST_CHOICE as usize + 17) * WIDTH }>;
+/// Room for the children of as many levels as there can be: those with a chosen cut, and those that halve 2³¹ items
+/// thrice each.
+type Pile = ArrayVec<Waiting, { (DEEPEST_CHOICE as usize + 12) * WIDTH }>;
 
 impl Hierarchy {
     /// The tree over these boxes.
@@ -151,7 +152,7 @@ impl Hierarchy {
     /// begin behind the limit. `visit` gets an item and the limit, and returns the limit from then on.
     #[inline]
     pub fn walk(&self, course: &Course, mut limit: f64, mut visit: impl FnMut(usize, f64) -> f64) {
-        let mut waiting = Pile::new();
+        let (slabs, mut waiting) = (course.slabs(), Pile::new());
         let mut next = Some(Child::node(0)).filter(|_| !self.nodes.is_empty());
         while let Some(child) = next {
             next = match child.behind() {
@@ -159,7 +160,7 @@ impl Hierarchy {
                     limit = visit(item, limit);
                     None
                 }
-                Behind::Node(index) => self.nodes[index].open(course, limit, &mut waiting),
+                Behind::Node(index) => self.nodes[index].open(slabs, limit, &mut waiting),
             };
             while next.is_none() {
                 let Some((near, child)) = waiting.pop() else { return };
@@ -232,7 +233,7 @@ impl Builder<'_> {
     fn node(&mut self, items: &mut [u32], depth: u32) -> usize {
         let place = self.nodes.len();
         self.nodes.push(Node::empty());
-        for (k, part) in self.four_parts(items, depth).into_iter().enumerate() {
+        for (k, part) in self.eight_parts(items, depth).into_iter().enumerate() {
             let extent = part.iter().fold(Extent::EMPTY, |all, &item| all.joined(self.extents[item as usize]));
             let child = match part {
                 [] => continue,
@@ -244,11 +245,12 @@ impl Builder<'_> {
         place
     }
 
-    /// Cuts twice.
-    fn four_parts<'b>(&self, items: &'b mut [u32], depth: u32) -> [&'b mut [u32]; WIDTH] {
+    /// Cuts thrice.
+    fn eight_parts<'b>(&self, items: &'b mut [u32], depth: u32) -> [&'b mut [u32]; WIDTH] {
         let [left, right] = self.two_parts(items, depth);
         let [[a, b], [c, d]] = [left, right].map(|half| self.two_parts(half, depth));
-        [a, b, c, d]
+        let [[a, b], [c, d], [e, f], [g, h]] = [a, b, c, d].map(|quarter| self.two_parts(quarter, depth));
+        [a, b, c, d, e, f, g, h]
     }
 
     /// Cuts where the surface area heuristic says so; one item stays alone.

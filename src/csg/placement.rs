@@ -1,25 +1,26 @@
 //! Where a primitive stands in the world: an affine map and its inverse.
 
-use crate::math::{LaneMap, Real, WideMap};
-use crate::shape::GenericRay;
+use crate::math::{LaneMap, Real, WideMap, coordinates};
+use crate::shape::{Approach, GenericRay};
 use glam::{DAffine3, DMat3, DVec3};
 
-/// The affine map of a primitive from generic to world coordinates, with its inverse and the normals' matrix.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// The affine map of a primitive from generic to world coordinates, with its inverse.
+///
+/// What every ray needs stands first and together; the rest is out of its way.
+#[derive(Clone, Debug, PartialEq)]
 pub struct Placement {
-    /// Generic to world.
-    pub world_from_generic: DAffine3,
-    /// World to generic.
-    pub generic_from_world: DAffine3,
-    /// The inverse transpose: takes generic normals to world normals.
-    normals: DMat3,
+    /// World to generic, for rays and normals.
+    ray_map: LaneMap,
+    rest: Box<Rest>,
+}
+
+/// What is asked for once for a scene, for a picture of it, or for a hard ray.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Rest {
+    world_from_generic: DAffine3,
+    generic_from_world: DAffine3,
     /// World to generic with 32 digits, for solvers that cannot tell with 16.
     wide_generic_from_world: WideMap,
-    /// World to generic, for rays.
-    ray_map: LaneMap,
-    /// The sizes of its numbers, for error bounds: what cancels in the inverse transform. Twice, for the matrix was itself
-    /// rounded when it was composed.
-    sizes: LaneMap,
     skew: f64,
 }
 
@@ -38,50 +39,83 @@ impl Placement {
         if determinant == 0.0 || !generic_from_world.is_finite() {
             return Err(format!("the transform is singular (its determinant is {determinant}), so it has no inverse"));
         }
-        let ray_map = LaneMap::from_rows(rows(&generic_from_world));
         let skew = world_from_generic.matrix3.abs() * (generic_from_world.matrix3.abs() * DVec3::ONE);
+        let skew = skew.max_element();
         Ok(Self {
-            world_from_generic,
-            generic_from_world,
-            normals: generic_from_world.matrix3.transpose(),
-            wide_generic_from_world,
-            ray_map,
-            sizes: ray_map.sizes(2.0),
-            skew: skew.max_element(),
+            ray_map: LaneMap::from_rows(rows(&generic_from_world)),
+            rest: Box::new(Rest { world_from_generic, generic_from_world, wide_generic_from_world, skew }),
         })
+    }
+
+    /// Generic to world.
+    #[must_use]
+    pub fn world_from_generic(&self) -> DAffine3 {
+        self.rest.world_from_generic
+    }
+
+    /// World to generic.
+    #[must_use]
+    pub fn generic_from_world(&self) -> DAffine3 {
+        self.rest.generic_from_world
     }
 
     /// ‖ |M| |M⁻¹| ‖∞: how many times larger an error of a coordinate can be after the way into generic coordinates and
     /// back. 1 where axes are only stretched, at most 3 for rotations, large for solids that are thin across a slope.
     #[must_use]
-    pub const fn skew(&self) -> f64 {
-        self.skew
+    pub fn skew(&self) -> f64 {
+        self.rest.skew
     }
 
-    /// The world ray (`origin`, `direction`) in generic coordinates; t is shared because c is not normalised.
+    /// The world ray `line` (its origin and direction) in generic coordinates; t is shared because c is not normalised.
+    // Inlined always: a solver that sees how its ray comes about leaves out what it does not need of it.
+    #[must_use]
+    #[inline(always)]
+    #[expect(clippy::inline_always, reason = "measured: 8 % of a picture's time")]
+    pub fn generic_ray<'a, A: Real>(&'a self, line: &'a [DVec3; 2]) -> GenericRay<'a, A> {
+        let [origin, direction] = line.map(|v| v.to_array());
+        let [origin_size, direction_size] = line.map(|v| v.abs().to_array());
+        GenericRay::mapped(
+            line,
+            [self.ray_map.point(origin), self.ray_map.vector(direction)],
+            // Twice, for the matrix was itself rounded when it was composed.
+            [self.ray_map.point_size(origin_size), self.ray_map.vector_size(direction_size)].map(|size| size + size),
+            &self.rest.wide_generic_from_world,
+        )
+    }
+
+    /// A point of the world in generic coordinates.
     #[must_use]
     #[inline]
-    pub fn generic_ray<A: Real>(&self, origin: DVec3, direction: DVec3) -> GenericRay<'_, A> {
-        let world = [origin.to_array(), direction.to_array()];
-        let sizes = [origin.abs().to_array(), direction.abs().to_array()];
-        GenericRay::mapped(
-            world,
-            [self.ray_map.point(world[0]), self.ray_map.vector(world[1])],
-            [self.sizes.point(sizes[0]), self.sizes.vector(sizes[1])],
-            &self.wide_generic_from_world,
-        )
+    pub fn generic_point(&self, point: DVec3) -> DVec3 {
+        coordinates(self.ray_map.point(point.to_array())).into()
     }
 
     /// A generic normal as an outward unit normal in world space (by the inverse transpose).
     #[must_use]
+    #[inline]
     pub fn world_normal(&self, generic_normal: DVec3) -> DVec3 {
-        unit(self.normals * unit(generic_normal))
+        unit(self.ray_map.transposed_vector(unit(generic_normal).to_array()).into())
     }
 
     /// The inverse as three rows of four, as it is shown.
     #[must_use]
     pub fn inverse_rows(&self) -> [[f64; 4]; 3] {
-        rows(&self.generic_from_world)
+        rows(&self.rest.generic_from_world)
+    }
+}
+
+/// A world ray on its way into a primitive's generic coordinates.
+pub(super) struct PlacedRay<'a> {
+    pub placement: &'a Placement,
+    /// Its origin and direction.
+    pub line: &'a [DVec3; 2],
+}
+
+impl Approach for PlacedRay<'_> {
+    #[inline(always)]
+    #[expect(clippy::inline_always, reason = "as above")]
+    fn generic<A: Real>(&self) -> GenericRay<'_, A> {
+        self.placement.generic_ray(self.line)
     }
 }
 

@@ -1,7 +1,7 @@
 //! What is told of a ray's way through a solid.
 
 use super::combine::Tie;
-use super::{Boundary, Extent, Interval, IntervalList, Leaf, Node, Solid};
+use super::{Ball, Boundary, Course, Extent, Interval, IntervalList, Leaf, Node, Solid};
 use crate::math::{DoubleDouble, Real};
 use crate::record::{Certificate, Edge, Entry, Operator, Recorder, Span, Tier, Value, What};
 use glam::DVec3;
@@ -13,10 +13,18 @@ pub fn extent(name: &str, extent: &Extent, inside: Option<[f64; 2]>) -> Entry {
     Entry::new(What::Extent { of: name.to_owned(), low, high, inside })
 }
 
+/// The test against a ball.
+#[track_caller]
+pub fn ball(name: &str, ball: &Ball, course: &Course, is_met: bool) -> Entry {
+    let Ball { centre, radius } = *ball;
+    let distance = ball.distance(course);
+    Entry::new(What::Ball { of: name.to_owned(), centre: centre.to_array(), radius, distance, is_met })
+}
+
 /// The ray in a primitive's generic coordinates, unscaled.
 #[track_caller]
-pub fn transform(leaf: &Leaf, origin: DVec3, direction: DVec3) -> Entry {
-    let inverse = &leaf.placement.generic_from_world;
+pub fn transform(leaf: &Leaf, [origin, direction]: [DVec3; 2]) -> Entry {
+    let inverse = &leaf.placement.generic_from_world();
     let (s, c) = (inverse.transform_point3(origin).to_array(), inverse.transform_vector3(direction).to_array());
     let bindings = |v: DVec3| [("origin", Value::from(v.to_array())), ("direction", Value::from(v.to_array()))];
     Entry::new(What::Transform {

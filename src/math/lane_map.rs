@@ -19,17 +19,36 @@ impl LaneMap {
         Self { columns: std::array::from_fn(|column| f64x4::from([x[column], y[column], z[column], 0.0])) }
     }
 
-    /// The map with the sizes of this one's numbers, times `factor`.
-    #[must_use]
-    pub fn sizes(&self, factor: f64) -> Self {
-        Self { columns: self.columns.map(|column| column.abs() * f64x4::splat(factor)) }
-    }
-
     /// M p + T.
     #[must_use]
     #[inline]
     pub fn point(&self, p: [f64; 3]) -> Lanes {
         self.vector(p) + self.columns[3]
+    }
+
+    /// |M| p + |T|, for `p` without signs: the sizes of what is added up to M p + T.
+    #[must_use]
+    #[inline]
+    pub fn point_size(&self, p: [f64; 3]) -> Lanes {
+        self.vector_size(p) + self.columns[3].abs()
+    }
+
+    /// |M| v, likewise.
+    #[must_use]
+    #[inline]
+    pub fn vector_size(&self, [x, y, z]: [f64; 3]) -> Lanes {
+        let [a, b, c, _] = self.columns;
+        a.abs() * f64x4::splat(x) + b.abs() * f64x4::splat(y) + c.abs() * f64x4::splat(z)
+    }
+
+    /// Mᵀ v.
+    #[must_use]
+    #[inline]
+    pub fn transposed_vector(&self, [x, y, z]: [f64; 3]) -> [f64; 3] {
+        std::array::from_fn(|k| {
+            let [a, b, c] = coordinates(self.columns[k]);
+            a * x + b * y + c * z
+        })
     }
 
     /// M v.
@@ -64,6 +83,12 @@ mod tests {
 
     #[test]
     fn sizes_have_no_signs() {
-        assert_eq!(LaneMap::from_rows(MAP).sizes(2.0).point([1.0, 1.0, 1.0]).to_array(), [13.0, 12.0, 20.5, 0.0]);
+        assert_eq!(LaneMap::from_rows(MAP).point_size([1.0, 1.0, 1.0]).to_array(), [6.5, 6.0, 10.25, 0.0]);
+        assert_eq!(LaneMap::from_rows(MAP).vector_size([1.0, 1.0, 1.0]).to_array(), [3.5, 5.0, 10.0, 0.0]);
+    }
+
+    #[test]
+    fn rows_of_the_transpose_are_columns() {
+        assert_eq!(LaneMap::from_rows(MAP).transposed_vector([1.0, 2.0, 4.0]), [9.0, 6.0, -29.5]);
     }
 }

@@ -188,9 +188,20 @@ impl Optics {
         let across = n1 * self.cos_i + n2 * cos_t;
         let within = n2 * self.cos_i + n1 * cos_t;
         let amplitude_s = ((n1 - n2) / across) * ((n1 + n2) / across);
-        let amplitude_p = ((n2 - n1) / within) * ((n2 + n1) / within) * (self.w - self.sin_i * self.sin_i);
+        let amplitude_p = ((n2 - n1) / within) * ((n2 + n1) / within) * self.beside_brewster();
         let passes = |sum: f64| 4.0 * (n1 * self.cos_i / sum) * (n2 * cos_t / sum);
         [share(amplitude_s, passes(across)), share(amplitude_p, passes(within))]
+    }
+
+    /// cos² θ₁ − (n₁ / n₂)² sin² θ₁ = cos² θ₂ − sin² θ₁, which is 0 at Brewster's angle. Near grazing the second form is the
+    /// difference of two ones, and near normal incidence the first may be.
+    fn beside_brewster(&self) -> f64 {
+        let [n1, n2] = self.indices;
+        if self.sin_i < self.cos_i {
+            return self.w - self.sin_i * self.sin_i;
+        }
+        let sin_t = n1 / n2 * self.sin_i;
+        (self.cos_i - sin_t) * (self.cos_i + sin_t)
     }
 
     /// Reflectance of unpolarised light: the mean of the two.

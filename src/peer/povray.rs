@@ -147,7 +147,7 @@ fn open_leaf(leaf: &Leaf) -> Result<String, String> {
             .ok_or_else(|| format!("`{}`: POV-Ray has no shape for `{}`", leaf.name, other.name()))?
             .to_owned(),
     };
-    Ok(format!("{shape} {}", matrix(&leaf.placement.world_from_generic)))
+    Ok(format!("{shape} {}", matrix(&leaf.placement.world_from_generic())))
 }
 
 /// The shapes without parameters.

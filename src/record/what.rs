@@ -70,6 +70,19 @@ pub enum What {
         /// The times between which the ray is in the box; none if it misses.
         inside: Option<[f64; 2]>,
     },
+    /// A test against a ball that holds the solid, where that is much smaller than its box.
+    Ball {
+        /// The solid's name.
+        of: String,
+        /// Its middle, in world space.
+        centre: Triple,
+        /// Its radius.
+        radius: f64,
+        /// How far from the middle the ray's line passes.
+        distance: f64,
+        /// Whether it passes through.
+        is_met: bool,
+    },
     /// A test of a ray from the eye against the rectangle of the picture that holds an object.
     Projection {
         /// The object's name.

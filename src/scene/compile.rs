@@ -196,7 +196,13 @@ fn objects(
         let own = file.get("material").and_then(Value::as_str).and_then(|name| materials.get(name)).copied();
         let material = own.or(compiled.leaf_materials.first().copied())?;
         let priority = file.get("priority").and_then(Value::as_i64).and_then(|p| i32::try_from(p).ok()).unwrap_or(0);
-        Some(Object { name, solid: compiled.solid, leaf_materials: compiled.leaf_materials, material, priority })
+        Some(Object {
+            name,
+            solid: compiled.solid.with_wide_unions(),
+            leaf_materials: compiled.leaf_materials.into(),
+            material,
+            priority,
+        })
     })
     .collect()
 }

@@ -3,6 +3,7 @@
 use super::ObjectIndex;
 use crate::csg::Solid;
 use glam::DVec3;
+use smallvec::SmallVec;
 
 /// Linear RGB.
 pub type Rgb = DVec3;
@@ -145,9 +146,11 @@ pub struct Limits {
 pub struct Shortcuts {
     /// Tests against the boxes of solids and of what they are made of.
     pub boxes: bool,
+    /// Tests against their balls.
+    pub balls: bool,
     /// Tests of rays from the eye against the rectangles of objects in the picture.
     pub projections: bool,
-    /// The tree of boxes over the objects.
+    /// The trees of boxes over the objects, and over the operands of wide unions.
     pub hierarchy: bool,
     /// The grids of what the eye and the lights see.
     pub sights: bool,
@@ -155,9 +158,9 @@ pub struct Shortcuts {
 
 impl Shortcuts {
     /// All of them.
-    pub const ALL: Self = Self { boxes: true, projections: true, hierarchy: true, sights: true };
+    pub const ALL: Self = Self { boxes: true, balls: true, projections: true, hierarchy: true, sights: true };
     /// Every ray asks everything.
-    pub const NONE: Self = Self { boxes: false, projections: false, hierarchy: false, sights: false };
+    pub const NONE: Self = Self { boxes: false, balls: false, projections: false, hierarchy: false, sights: false };
 }
 
 /// A solid with materials.
@@ -168,7 +171,7 @@ pub struct Object {
     /// The geometry.
     pub solid: Solid,
     /// For each leaf the index of its material in [`Scene::materials`].
-    pub leaf_materials: Vec<usize>,
+    pub leaf_materials: SmallVec<[usize; 1]>,
     /// The material that fills the object: an index into [`Scene::materials`].
     pub material: usize,
     /// The higher one wins under [`MediaPolicy::Priority`].

@@ -1,7 +1,7 @@
 //! One battery of properties for all shapes. The tests do not compile until each row in the list has its samples, which
 //! stand with the tests in the shape's own file.
 
-use super::testing::{Samples, record, solve};
+use super::testing::{Samples, Straight, record, solve};
 use super::*;
 use crate::math::DoubleDouble;
 use crate::record::{CandidateFate, Sense, What};
@@ -99,6 +99,18 @@ proptest! {
             let direction = direction_to(&shape, origin, place);
             for hit in solve::<f64>(&shape, origin, direction) {
                 check_crossing(&shape, origin, direction, &hit);
+            }
+        }
+    }
+
+    #[test]
+    fn the_first_crossing_ahead_is_the_first_of_all_that_lie_ahead((origin, place) in rays(), back in 0.0..2.0_f64) {
+        for shape in all_samples() {
+            let direction = direction_to(&shape, origin, place);
+            // From far outside, from within, and from behind.
+            for start in [origin, origin + direction, origin + direction * back] {
+                let expected = solve::<f64>(&shape, start, direction).into_iter().find(|crossing| crossing.t > 0.0);
+                prop_assert_eq!(shape.first_crossing(&Straight(start, direction)), expected);
             }
         }
     }

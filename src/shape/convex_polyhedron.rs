@@ -25,7 +25,7 @@
 use super::boundary::Boundaries;
 use super::planes::{self, Clip};
 use super::solver::{self, Attempt, Call, Solver};
-use super::{Bounds, Crossing, Crossings, GenericRay, Part, Primitive, outline, plane_table};
+use super::{Approach, Bounds, Crossing, Crossings, GenericRay, Part, Primitive, outline, plane_table};
 use crate::math::{DoubleDouble, Real, dot, scale_to_unit};
 use crate::record::{Candidate, Entry, Recorder};
 use glam::{DVec2, DVec3};
@@ -222,6 +222,11 @@ impl Solver for ConvexPolyhedron {
 impl Primitive for ConvexPolyhedron {
     fn crossings<A: Real>(&self, ray: &GenericRay<A>, recorder: &mut impl Recorder, crossings: &mut Crossings) {
         solver::crossings(self, ray, recorder, crossings);
+    }
+
+    #[inline]
+    fn first_crossing(&self, approach: &impl Approach) -> Option<Crossing> {
+        solver::first_crossing(self, approach)
     }
 
     fn normal(&self, _point: DVec3, part: Part) -> DVec3 {

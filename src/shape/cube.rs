@@ -28,7 +28,7 @@
 
 use super::boundary::{Boundaries, Root};
 use super::solver::{self, Attempt, Call, Solver};
-use super::{Bounds, Crossing, Crossings, GenericRay, HalfSpace, Part, Primitive, plane_table};
+use super::{Approach, Bounds, Crossing, Crossings, GenericRay, HalfSpace, Part, Primitive, plane_table};
 use crate::math::{Pair, Real};
 use crate::record::{Candidate, Entry, Recorder};
 use glam::{DVec2, DVec3};
@@ -75,20 +75,29 @@ struct Slab<A> {
 }
 
 impl<A: Real> Slab<A> {
+    /// How far the coordinate moves when S and c are off by one part in one.
+    #[inline]
+    fn way(self, ray: &GenericRay<A>) -> f64 {
+        ray.origin_size[self.axis] + self.time.abs().to_f64() * ray.direction_size[self.axis]
+    }
+
+    /// |c| along the axis.
+    #[inline]
+    fn speed(self, ray: &GenericRay<A>) -> f64 {
+        ray.direction[self.axis].abs().to_f64()
+    }
+
     /// How far the time moves when S and c are off by one part in one.
     #[inline]
     fn moved(self, ray: &GenericRay<A>) -> f64 {
-        let way = ray.origin_size[self.axis] + self.time.abs().to_f64() * ray.direction_size[self.axis];
-        way / ray.direction[self.axis].abs().to_f64()
+        self.way(ray) / self.speed(ray)
     }
 
     /// The face through which the ray goes there.
     #[inline]
-    fn root(self, ray: &GenericRay<A>, enters: bool) -> Root {
-        let tau = self.time.to_f64();
+    fn part(self, ray: &GenericRay<A>, enters: bool) -> Part {
         let is_positive = (ray.direction[self.axis] < A::ZERO) == enters;
-        let part = Cube::FACES[self.axis][usize::from(is_positive)];
-        Root { tau, error: ray.error_of_time(self.moved(ray), tau), part }
+        Cube::FACES[self.axis][usize::from(is_positive)]
     }
 }
 
@@ -118,8 +127,10 @@ impl<A: Real> Passage<A> {
         let doubt = 4.0 * A::UNIT_ROUNDOFF;
         if hits {
             let middle = A::from_f64(0.5) * (enter.time + leave.time);
-            let sway = ray.sway(middle.to_f64());
-            ray.at(middle).iter().zip(sway).all(|(x, sway)| x.abs().to_f64() + doubt * sway < 1.0)
+            let (point, sway) = (ray.at(middle), ray.sway(middle.to_f64()));
+            let is_within = |axis: usize| point[axis].abs().to_f64() + doubt * sway[axis] < 1.0;
+            // All three at once: it is hardly ever the first that decides.
+            is_within(0) & is_within(1) & is_within(2)
         } else {
             let moves = |slab: Slab<A>| is_moving(ray, slab.axis);
             let doubt = doubt * (enter.moved(ray) + leave.moved(ray));
@@ -249,7 +260,16 @@ impl Solver for Cube {
 
     #[inline]
     fn roots<A: Real>(&self, ray: &GenericRay<A>, passage: &Passage<A>) -> impl Boundaries {
-        passage.hits.then(|| [passage.enter.root(ray, true), passage.leave.root(ray, false)])
+        let Passage { enter, leave, hits } = *passage;
+        hits.then(|| {
+            let ends = Pair([enter, leave]);
+            let moved = ends.map(|end| end.way(ray)).with(ends.map(|end| end.speed(ray)), |way, speed| way / speed);
+            let root = |end: Slab<A>, moved: f64, enters: bool| {
+                let tau = end.time.to_f64();
+                Root { tau, error: ray.error_of_time(moved, tau), part: end.part(ray, enters) }
+            };
+            [root(enter, moved.0[0], true), root(leave, moved.0[1], false)]
+        })
     }
 
     fn working<A: Real>(&self, ray: &GenericRay<A>, _: &Passage<A>) -> Vec<Entry> {
@@ -265,6 +285,11 @@ impl Primitive for Cube {
     #[inline]
     fn crossings<A: Real>(&self, ray: &GenericRay<A>, recorder: &mut impl Recorder, crossings: &mut Crossings) {
         solver::crossings(self, ray, recorder, crossings);
+    }
+
+    #[inline]
+    fn first_crossing(&self, approach: &impl Approach) -> Option<Crossing> {
+        solver::first_crossing(self, approach)
     }
 
     fn normal(&self, _point: DVec3, part: Part) -> DVec3 {

@@ -11,7 +11,7 @@
 //! **Equation** F of the wall is x² + y² − 1, or x² + y² − (1 − z)²; see `tapered_cylinder.rs` for this and for everything
 //! else: **Ray equation**, **Accuracy**, **Degenerate cases**, **Source**. Both are that solid, under names of their own.
 
-use super::{Bounds, Crossings, GenericRay, Part, Primitive, TaperedCylinder};
+use super::{Approach, Bounds, Crossing, Crossings, GenericRay, Part, Primitive, TaperedCylinder};
 use crate::math::Real;
 use crate::record::Recorder;
 use glam::{DVec2, DVec3};
@@ -42,6 +42,11 @@ macro_rules! tapered {
                 self.0.crossings(ray, recorder, crossings);
             }
 
+            #[inline]
+            fn first_crossing(&self, approach: &impl Approach) -> Option<Crossing> {
+                self.0.first_crossing(approach)
+            }
+
             fn normal(&self, point: DVec3, part: Part) -> DVec3 {
                 self.0.normal(point, part)
             }
@@ -52,6 +57,10 @@ macro_rules! tapered {
 
             fn bounds(&self) -> Bounds {
                 self.0.bounds()
+            }
+
+            fn ball_radius(&self) -> f64 {
+                self.0.ball_radius()
             }
 
             fn outline(&self) -> Vec<Vec<DVec3>> {

@@ -38,7 +38,7 @@ pub use convex_polyhedron::{ConvexPolyhedron, HalfSpace};
 pub use cube::Cube;
 pub use cylinder::{Cone, Cylinder};
 pub use plane::Plane;
-pub use primitive::{Bounds, Crossing, Crossings, GenericRay, Part, Primitive};
+pub use primitive::{Approach, Bounds, Crossing, Crossings, GenericRay, Part, Primitive};
 pub use sphere::Sphere;
 pub use square::Square;
 pub use superellipsoid::Superellipsoid;
@@ -109,6 +109,10 @@ macro_rules! define_shape {
                 match self { $(Self::$variant(shape) => shape.crossings(ray, recorder, crossings),)* }
             }
 
+            fn first_crossing(&self, approach: &impl Approach) -> Option<Crossing> {
+                match self { $(Self::$variant(shape) => shape.first_crossing(approach),)* }
+            }
+
             fn normal(&self, point: DVec3, part: Part) -> DVec3 {
                 match self { $(Self::$variant(shape) => shape.normal(point, part),)* }
             }
@@ -119,6 +123,10 @@ macro_rules! define_shape {
 
             fn bounds(&self) -> Bounds {
                 match self { $(Self::$variant(shape) => shape.bounds(),)* }
+            }
+
+            fn ball_radius(&self) -> f64 {
+                match self { $(Self::$variant(shape) => shape.ball_radius(),)* }
             }
 
             fn is_convex(&self) -> bool {

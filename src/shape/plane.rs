@@ -21,7 +21,7 @@
 
 use super::boundary::{Boundaries, Root};
 use super::solver::{self, Attempt, Call, Solver};
-use super::{Bounds, Crossing, Crossings, GenericRay, Part, Primitive, plane_table};
+use super::{Approach, Bounds, Crossing, Crossings, GenericRay, Part, Primitive, plane_table};
 use crate::math::Real;
 use crate::record::{Candidate, Entry, Recorder, Sense};
 use glam::{DVec2, DVec3};
@@ -85,6 +85,11 @@ impl Solver for Plane {
 impl Primitive for Plane {
     fn crossings<A: Real>(&self, ray: &GenericRay<A>, recorder: &mut impl Recorder, crossings: &mut Crossings) {
         solver::crossings(self, ray, recorder, crossings);
+    }
+
+    #[inline]
+    fn first_crossing(&self, approach: &impl Approach) -> Option<Crossing> {
+        solver::first_crossing(self, approach)
     }
 
     fn normal(&self, _point: DVec3, _part: Part) -> DVec3 {

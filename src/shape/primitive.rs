@@ -1,7 +1,7 @@
 //! What every generic primitive can do.
 
 use crate::math::{DoubleDouble, Lanes, Real, Traced, WideMap, coordinates, dot, scale_to_unit};
-use crate::record::{Certificate, Recorder, Sense};
+use crate::record::{Certificate, NullRecorder, Recorder, Sense};
 use glam::{DVec2, DVec3};
 use smallvec::SmallVec;
 
@@ -23,27 +23,24 @@ pub struct GenericRay<'a, A> {
     pub direction_size: [f64; 3],
     /// Bounds on the lengths of these two.
     pub lengths: [f64; 2],
-    /// The ray as it was given.
-    given: Given<'a>,
+    /// What it was made from, if its numbers are rounded.
+    source: Option<Source<'a>>,
 }
 
-/// The ray before the transform, and the map that takes it to generic coordinates.
+/// A ray before its transform, and the map that takes it to generic coordinates.
 #[derive(Clone, Copy, Debug)]
-struct Given<'a> {
-    origin: DVec3,
-    direction: DVec3,
-    generic_from_world: Option<&'a WideMap>,
+struct Source<'a> {
+    line: &'a [DVec3; 2],
+    generic_from_world: &'a WideMap,
 }
 
-impl Given<'_> {
-    /// S and c with 32 digits.
-    fn wide(&self) -> [[DoubleDouble; 3]; 2] {
-        let (origin, direction) = (self.origin.to_array(), self.direction.to_array());
-        match self.generic_from_world {
-            Some(map) => [map.point(origin), map.vector(direction)],
-            None => [origin, direction].map(|v| v.map(DoubleDouble::from_f64)),
-        }
-    }
+/// A ray that can be had in any arithmetic.
+///
+/// Solvers that need a ray in one arithmetic, and hardly ever in a second one, make it themselves: so the numbers of the
+/// first stay in registers.
+pub trait Approach {
+    /// The ray in generic coordinates.
+    fn generic<A: Real>(&self) -> GenericRay<'_, A>;
 }
 
 impl<A: Real> GenericRay<'static, A> {
@@ -51,7 +48,6 @@ impl<A: Real> GenericRay<'static, A> {
     #[must_use]
     pub fn new(origin: DVec3, direction: DVec3) -> Self {
         let scale = scale_to_unit(direction.to_array());
-        let given = Given { origin, direction, generic_from_world: None };
         let direction = direction * scale;
         Self {
             origin: origin.to_array().map(A::from_f64),
@@ -60,7 +56,7 @@ impl<A: Real> GenericRay<'static, A> {
             origin_size: origin.abs().to_array(),
             direction_size: direction.abs().to_array(),
             lengths: [origin, direction].map(|v| length(v.abs().to_array())),
-            given,
+            source: None,
         }
     }
 }
@@ -70,22 +66,21 @@ impl GenericRay<'static, DoubleDouble> {
     #[must_use]
     pub fn wide(origin: [DoubleDouble; 3], direction: [DoubleDouble; 3]) -> Self {
         let plain = |v: [DoubleDouble; 3]| DVec3::from_array(v.map(Real::to_f64));
-        let given = Given { origin: plain(origin), direction: plain(direction), generic_from_world: None };
         let [origin_size, direction_size] = [origin, direction].map(|v| plain(v).abs().to_array());
         let lengths = [origin_size, direction_size].map(length);
-        Self { origin, direction, t_per_tau: 1.0, origin_size, direction_size, lengths, given }
+        Self { origin, direction, t_per_tau: 1.0, origin_size, direction_size, lengths, source: None }
     }
 }
 
 impl<'a, A: Real> GenericRay<'a, A> {
-    /// The world ray (`origin`, `direction`), taken to generic coordinates.
+    /// The world ray `line` (its origin and direction), taken to generic coordinates.
     ///
     /// `plain` is S and c in double precision, `sizes` the sizes of what was added up to them, `map` the same map with 32
     /// digits. Arithmetics with more digits than `f64` take theirs from there.
     #[must_use]
-    #[inline]
-    pub fn mapped(world: [[f64; 3]; 2], plain: [Lanes; 2], sizes: [Lanes; 2], map: &'a WideMap) -> Self {
-        let given = Given { origin: world[0].into(), direction: world[1].into(), generic_from_world: Some(map) };
+    #[inline(always)]
+    #[expect(clippy::inline_always, reason = "so that a solver leaves out what it does not need")]
+    pub fn mapped(line: &'a [DVec3; 2], plain: [Lanes; 2], sizes: [Lanes; 2], map: &'a WideMap) -> Self {
         let scale = scale_to_unit(coordinates(plain[1]));
         // What the transform rounds off comes to what the solver itself does.
         let origin_size = coordinates(plain[0].abs() + sizes[0]);
@@ -98,7 +93,7 @@ impl<'a, A: Real> GenericRay<'a, A> {
             origin_size,
             direction_size,
             lengths: [origin_size, direction_size].map(length),
-            given,
+            source: Some(Source { line, generic_from_world: map }),
         };
         if A::UNIT_ROUNDOFF < f64::UNIT_ROUNDOFF { from_plain.exactly() } else { from_plain }
     }
@@ -106,17 +101,26 @@ impl<'a, A: Real> GenericRay<'a, A> {
     /// The same ray in another arithmetic, from its numbers with 32 digits.
     #[must_use]
     pub fn exactly<B: Real>(&self) -> GenericRay<'a, B> {
-        let [origin, direction] = self.given.wide();
-        let scale = DoubleDouble::from_f64(self.t_per_tau);
+        let [origin, direction] = self.widened();
         GenericRay {
             origin: origin.map(B::narrow),
-            direction: direction.map(|x| B::narrow(x * scale)),
+            direction: direction.map(B::narrow),
             t_per_tau: self.t_per_tau,
             origin_size: self.origin_size,
             direction_size: self.direction_size,
             lengths: self.lengths,
-            given: self.given,
+            source: self.source,
         }
+    }
+
+    /// S and the scaled c with 32 digits.
+    fn widened(&self) -> [[DoubleDouble; 3]; 2] {
+        let Some(Source { line: [origin, direction], generic_from_world }) = self.source else {
+            return [self.origin, self.direction].map(|v| v.map(Real::widen));
+        };
+        let scale = DoubleDouble::from_f64(self.t_per_tau);
+        let course = generic_from_world.vector(direction.to_array()).map(|x| x * scale);
+        [generic_from_world.point(origin.to_array()), course]
     }
 
     /// The same ray in the arithmetic with the most digits.
@@ -135,7 +139,7 @@ impl<'a, A: Real> GenericRay<'a, A> {
             origin_size: self.origin_size,
             direction_size: self.direction_size,
             lengths: self.lengths,
-            given: self.given,
+            source: self.source,
         }
     }
 
@@ -275,6 +279,13 @@ pub trait Primitive {
     /// around them is the caller's.
     fn crossings<A: Real>(&self, ray: &GenericRay<A>, recorder: &mut impl Recorder, crossings: &mut Crossings);
 
+    /// The first crossing with t > 0 that [`crossings`](Self::crossings) finds, and nothing about it told.
+    fn first_crossing(&self, approach: &impl Approach) -> Option<Crossing> {
+        let mut crossings = Crossings::new();
+        self.crossings(&approach.generic::<f64>(), &mut NullRecorder, &mut crossings);
+        crossings.into_iter().find(|crossing| crossing.t > 0.0)
+    }
+
     /// An outward normal at a point of the given part, in generic coordinates; not unit.
     ///
     /// At points without a normal (apex, crease) any sensible outward direction; never zero, never NaN.
@@ -285,6 +296,12 @@ pub trait Primitive {
 
     /// The box that holds it.
     fn bounds(&self) -> Bounds;
+
+    /// The radius of a ball about the middle of its box that holds it; infinite where unbounded.
+    fn ball_radius(&self) -> f64 {
+        let Bounds { low, high } = self.bounds();
+        0.5 * (high - low).length()
+    }
 
     /// Whether a line meets it in one interval at most.
     fn is_convex(&self) -> bool {

@@ -10,9 +10,9 @@
 //! Computational Geometry 18 (1997), for filters in front of dearer arithmetic.
 
 use super::boundary::Boundaries;
-use super::{Crossing, Crossings, GenericRay, Primitive, report};
+use super::{Approach, Crossing, Crossings, GenericRay, Primitive, report};
 use crate::math::{Real, Traced, counted};
-use crate::record::{Candidate, Certificate, Entry, Recorder, Sense, Tier, What};
+use crate::record::{Candidate, Certificate, Entry, NullRecorder, Recorder, Sense, Tier, What};
 
 /// A solver's answer, and whether it is beyond doubt.
 pub(super) struct Attempt<F> {
@@ -64,6 +64,12 @@ pub(super) trait Solver: Primitive + Sized {
     /// Solves in one arithmetic.
     fn solve<A: Real>(&self, ray: &GenericRay<A>) -> Attempt<Self::Found<A>>;
 
+    /// The same as far as it takes to know the first crossing with t > 0, if that is less.
+    #[inline]
+    fn solve_ahead<A: Real>(&self, ray: &GenericRay<A>) -> Attempt<Self::Found<A>> {
+        self.solve(ray)
+    }
+
     /// The closest decision on the way to `found`.
     fn closest_call<A: Real>(&self, ray: &GenericRay<A>, found: &Self::Found<A>) -> Call;
 
@@ -103,6 +109,26 @@ pub(super) fn crossings<A: Real, R: Recorder>(
     } else {
         fall_back(solver, ray, recorder, crossings);
     }
+}
+
+/// The first crossing with t > 0, and nothing told.
+#[inline]
+pub(super) fn first_crossing(solver: &impl Solver, approach: &impl Approach) -> Option<Crossing> {
+    let ray = approach.generic::<f64>();
+    let attempt = solver.solve_ahead(&ray);
+    if !attempt.decided {
+        return first_crossing_after_fallback(solver, approach);
+    }
+    solver.roots(&ray, &attempt.found).first_ahead(solver.first_sense(&ray), ray.t_per_tau, Certificate::Certain)
+}
+
+/// The same with 32 digits.
+#[cold]
+#[inline(never)]
+fn first_crossing_after_fallback(solver: &impl Solver, approach: &impl Approach) -> Option<Crossing> {
+    let mut crossings = Crossings::new();
+    fall_back(solver, &approach.generic::<f64>(), &mut NullRecorder, &mut crossings);
+    crossings.into_iter().find(|crossing| crossing.t > 0.0)
 }
 
 /// Solves once more with 32 digits.

@@ -27,7 +27,7 @@
 
 use super::boundary::{Boundaries, Root};
 use super::solver::{self, Attempt, Call, Solver};
-use super::{Bounds, Crossing, Crossings, GenericRay, Part, Primitive, outline, report};
+use super::{Approach, Bounds, Crossing, Crossings, GenericRay, Part, Primitive, outline, report};
 use crate::math::{Real, cross, dot};
 use crate::record::{Candidate, Entry, Recorder, Value, What};
 use glam::{DVec2, DVec3};
@@ -140,6 +140,11 @@ impl Primitive for Sphere {
         solver::crossings(self, ray, recorder, crossings);
     }
 
+    #[inline]
+    fn first_crossing(&self, approach: &impl Approach) -> Option<Crossing> {
+        solver::first_crossing(self, approach)
+    }
+
     fn normal(&self, point: DVec3, _part: Part) -> DVec3 {
         if point == DVec3::ZERO { DVec3::Z } else { point }
     }
@@ -152,6 +157,10 @@ impl Primitive for Sphere {
 
     fn bounds(&self) -> Bounds {
         Bounds { low: DVec3::NEG_ONE, high: DVec3::ONE }
+    }
+
+    fn ball_radius(&self) -> f64 {
+        1.0
     }
 
     /// The equator, two parallels and four meridians.

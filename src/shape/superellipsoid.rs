@@ -34,8 +34,8 @@ use super::boundary::Boundaries;
 use super::gauge::Exponents;
 use super::solver::{self, Attempt, Call, Solver};
 use super::superellipsoid_line::Line;
-use super::superellipsoid_search::{Findings, search};
-use super::{Bounds, Crossing, Crossings, GenericRay, Part, Primitive, report};
+use super::superellipsoid_search::{Findings, Wanted, search};
+use super::{Approach, Bounds, Crossing, Crossings, GenericRay, Part, Primitive, report};
 use crate::math::Real;
 use crate::record::{Candidate, Entry, Recorder, Value, What, format_number};
 use glam::{DVec2, DVec3};
@@ -82,7 +82,12 @@ impl Solver for Superellipsoid {
 
     #[inline]
     fn solve<A: Real>(&self, ray: &GenericRay<A>) -> Attempt<Findings<A>> {
-        search(&self.exponents, ray)
+        search(&self.exponents, ray, Wanted::All)
+    }
+
+    #[inline]
+    fn solve_ahead<A: Real>(&self, ray: &GenericRay<A>) -> Attempt<Findings<A>> {
+        search(&self.exponents, ray, Wanted::FirstAhead)
     }
 
     fn closest_call<A: Real>(&self, ray: &GenericRay<A>, found: &Findings<A>) -> Call {
@@ -142,6 +147,11 @@ impl Primitive for Superellipsoid {
         solver::crossings(self, ray, recorder, crossings);
     }
 
+    #[inline]
+    fn first_crossing(&self, approach: &impl Approach) -> Option<Crossing> {
+        solver::first_crossing(self, approach)
+    }
+
     fn normal(&self, point: DVec3, _part: Part) -> DVec3 {
         let (_, gradient) = self.exponents.gauge(point.abs().to_array());
         let normal = DVec3::from_array(gradient) * point.signum();
@@ -163,6 +173,11 @@ impl Primitive for Superellipsoid {
 
     fn bounds(&self) -> Bounds {
         Bounds { low: DVec3::NEG_ONE, high: DVec3::ONE }
+    }
+
+    /// Exponents up to 2 make sums of powers no smaller than the sum of squares.
+    fn ball_radius(&self) -> f64 {
+        if self.exponents.n <= 2.0 && self.exponents.m <= 2.0 { 1.0 } else { 3.0_f64.sqrt() }
     }
 
     /// The equator, two parallels and four meridians.

@@ -14,7 +14,7 @@
 //! (a tangent bounds a convex function).
 
 use super::GenericRay;
-use super::boundary::Roots;
+use super::boundary::{Root, Roots};
 use super::gauge::{Bend, Exponents};
 use super::solver::Attempt;
 use super::superellipsoid_line::{Line, Probe};
@@ -51,24 +51,35 @@ pub(super) enum Side {
     Outside,
 }
 
+/// Which crossings are asked for. Every decision is taken for both, in the same way; they differ in the work on roots.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Wanted {
+    All,
+    /// The first one if it lies ahead of the ray's start, else all.
+    FirstAhead,
+}
+
 /// The work on one ray.
 pub(super) struct Search<'a, A> {
     pub line: Line<'a, A>,
     pub findings: Findings<A>,
     pub decided: bool,
+    wanted: Wanted,
+    /// What was wanted is found.
+    found: bool,
 }
 
 /// Places that are tried at most before a stretch is given up as touching: each cuts away a twentieth at least, so that the
 /// smallest length is reached before.
 const MOST_PLACES: usize = 1000;
 
-/// Every crossing of the ray with the superellipsoid.
+/// The crossings of the ray with the superellipsoid.
 #[inline]
-pub(super) fn search<A: Real>(exponents: &Exponents, ray: &GenericRay<A>) -> Attempt<Findings<A>> {
+pub(super) fn search<A: Real>(exponents: &Exponents, ray: &GenericRay<A>, wanted: Wanted) -> Attempt<Findings<A>> {
     let line = Line::new(exponents, ray);
     let findings = Findings { range: None, stretches: 0, undecided: 0, roots: Roots::new(), closest: None };
     let Some(range) = line.clip() else { return Attempt { found: findings, decided: true } };
-    let mut search = Search { line, findings, decided: true };
+    let mut search = Search { line, findings, decided: true, wanted, found: false };
     search.findings.range = Some(range.map(|delta| delta + search.line.foot.to_f64()));
     match exponents.bend() {
         Bend::Convex => search.convex(range),
@@ -192,9 +203,18 @@ impl<A: Real> Search<'_, A> {
 
     /// Adds the root in a bracket.
     pub fn root(&mut self, bracket: &Bracket<A>) {
-        if self.decided || A::FINEST {
-            self.findings.roots.push(root_in(&self.line, bracket));
+        if (self.decided || A::FINEST) && !self.found {
+            let root = root_in(&self.line, bracket);
+            self.found = self.wanted == Wanted::FirstAhead && self.is_first_ahead(&root, bracket);
+            self.findings.roots.push(root);
         }
+    }
+
+    /// Whether a root is the first of all, lies ahead, and would be the same if its fellows were known: the stretch is so
+    /// long that they do not bound its error.
+    fn is_first_ahead(&self, root: &Root, bracket: &Bracket<A>) -> bool {
+        let inside = (self.line.foot + bracket.high).to_f64();
+        self.findings.roots.as_ref().is_empty() && root.tau > 0.0 && root.error < 0.5 * (inside - root.tau)
     }
 
     /// Whether the sign at a place is told, or has to do.
@@ -350,7 +370,7 @@ mod tests {
         for (n, m, most) in [(2.0, 2.0, 3), (8.0, 8.0, 3), (0.5, 0.5, 6), (3.0, 0.7, 12), (0.7, 3.0, 12)] {
             let exponents = Exponents::new(n, m);
             let ray = GenericRay::<f64>::new(DVec3::new(3.0, 1.0, 0.5), DVec3::new(-3.0, -0.8, -0.4));
-            let attempt = search(&exponents, &ray);
+            let attempt = search(&exponents, &ray, Wanted::All);
             let stretches = attempt.found.stretches;
             assert!(attempt.decided && attempt.found.undecided == 0 && stretches <= most, "{n} {m}: {stretches}");
             // The hollow one is left and entered again: at t = 1.1 it is √0.3 + √0.12 + √0.06 = 1.14.
@@ -367,7 +387,7 @@ mod tests {
             for aim in [[0.1, 0.05], [-0.05, 0.1], [0.001, 0.002], [-0.07, -0.01], [1e-5, 1e-4]] {
                 let target = DVec3::new(aim[0], aim[1], 1.0);
                 let ray = GenericRay::<f64>::new(origin, target - origin);
-                let attempt = search(&shape.exponents, &ray);
+                let attempt = search(&shape.exponents, &ray, Wanted::All);
                 assert!(
                     attempt.decided && attempt.found.stretches < 20,
                     "{n} {m} {aim:?}: {}",

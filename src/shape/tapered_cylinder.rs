@@ -32,8 +32,10 @@
 use super::boundary::{Boundaries, Root};
 use super::solver::{self, Attempt, Call, Solver};
 use super::tapered_wall::Wall;
-use super::{Bounds, Crossing, Crossings, GenericRay, HalfSpace, Part, Primitive, outline, plane_table, report};
-use crate::math::{Real, scale_to_unit};
+use super::{
+    Approach, Bounds, Crossing, Crossings, GenericRay, HalfSpace, Part, Primitive, outline, plane_table, report,
+};
+use crate::math::{Pair, Real, scale_to_unit};
 use crate::record::{Candidate, Entry, Recorder, Sense, format_number};
 use glam::{DVec2, DVec3};
 
@@ -197,12 +199,17 @@ impl Solver for TaperedCylinder {
 
     #[inline]
     fn roots<A: Real>(&self, ray: &GenericRay<A>, solution: &Solution<A>) -> impl Boundaries {
-        let root = |end: &End<A>| {
-            let tau = if end.part == WALL { solution.wall.polished(ray, end.tau) } else { end.tau }.to_f64();
-            let moved = Self::moved(ray, &solution.wall, tau, end.part);
-            Root { tau, error: ray.error_of_time(moved, tau), part: end.part }
-        };
-        solution.hits.then(|| [root(&solution.enter), root(&solution.leave)])
+        solution.hits.then(|| {
+            // Both ways for both ends, for which part a ray meets is beyond guessing.
+            let (wall, ends) = (&solution.wall, Pair([&solution.enter, &solution.leave]));
+            let (tau, is_wall) = (ends.map(|end| end.tau), ends.map(|end| end.part == WALL));
+            let tau = is_wall.choose(tau.map(|tau| wall.polished(ray, tau)), tau).map(A::to_f64);
+            let across = tau.map(|tau| ray.sway(tau)[2]) / ray.direction[2].abs().to_f64();
+            let moved = is_wall.choose(tau.map(|tau| wall.moved(tau)), across);
+            ends.zip(tau.zip(moved))
+                .map(|(end, (tau, moved))| Root { tau, error: ray.error_of_time(moved, tau), part: end.part })
+                .0
+        })
     }
 
     fn working<A: Real>(&self, ray: &GenericRay<A>, solution: &Solution<A>) -> Vec<Entry> {
@@ -248,6 +255,11 @@ impl Primitive for TaperedCylinder {
         solver::crossings(self, ray, recorder, crossings);
     }
 
+    #[inline]
+    fn first_crossing(&self, approach: &impl Approach) -> Option<Crossing> {
+        solver::first_crossing(self, approach)
+    }
+
     fn normal(&self, point: DVec3, part: Part) -> DVec3 {
         match part {
             BASE => DVec3::NEG_Z,
@@ -276,6 +288,10 @@ impl Primitive for TaperedCylinder {
     fn bounds(&self) -> Bounds {
         let radius = self.s.max(1.0);
         Bounds { low: DVec3::new(-radius, -radius, 0.0), high: DVec3::new(radius, radius, 1.0) }
+    }
+
+    fn ball_radius(&self) -> f64 {
+        self.s.max(1.0).hypot(0.5)
     }
 
     /// The rims, and eight lines up the wall.

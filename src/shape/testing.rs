@@ -1,6 +1,6 @@
 //! What the tests of shapes share.
 
-use super::{Crossings, GenericRay, Primitive};
+use super::{Approach, Crossings, GenericRay, Primitive};
 use crate::math::Real;
 use crate::record::{Counter, Entry, NullRecorder, Recorder, Sense, What};
 use glam::DVec3;
@@ -17,6 +17,15 @@ pub(super) fn solve<A: Real>(shape: &impl Primitive, origin: DVec3, direction: D
     let mut crossings = Crossings::new();
     shape.crossings(&GenericRay::<A>::new(origin, direction), &mut NullRecorder, &mut crossings);
     crossings
+}
+
+/// The ray S + c t, which is in generic coordinates already.
+pub(super) struct Straight(pub DVec3, pub DVec3);
+
+impl Approach for Straight {
+    fn generic<A: Real>(&self) -> GenericRay<'_, A> {
+        GenericRay::new(self.0, self.1)
+    }
 }
 
 /// All crossings as (t, sense, part), with t rounded to 12 decimals: what a person works out on paper.

@@ -28,7 +28,7 @@ use super::boundary::{self, Boundaries};
 use super::solver::{self, Attempt, Call, Solver};
 use super::torus_quartic::{Line, Quartic, Turn, Turns};
 use super::torus_roots;
-use super::{Bounds, Crossing, Crossings, GenericRay, Part, Primitive, outline, report};
+use super::{Approach, Bounds, Crossing, Crossings, GenericRay, Part, Primitive, outline, report};
 use crate::math::Real;
 use crate::record::{Candidate, Certificate, Entry, Recorder, Sense, Value, What};
 use glam::{DVec2, DVec3};
@@ -173,6 +173,16 @@ impl<A: Real> Boundaries for Stretches<'_, A> {
             boundary::append_stretch(roots, start, certificate, t_per_tau, crossings);
         });
     }
+
+    /// The entry into the first stretch, if that lies ahead: nothing that comes later can change it.
+    fn first_ahead(self, first: Sense, t_per_tau: f64, certificate: Certificate) -> Option<Crossing> {
+        let Found::Near(quartic, turns) = self.found else { return None };
+        let mut stretch = None;
+        turns.each_stretch(quartic.end, |next| stretch = stretch.take().or(Some(next)));
+        let roots = torus_roots::crossings(self.ray, quartic, turns.slope, &stretch?);
+        let entry = boundary::stretch(roots, Sense::Enter, t_per_tau, certificate).map(|[enter, _]| enter);
+        entry.filter(|enter| enter.t > 0.0).or_else(|| boundary::first_of_all(self, first, t_per_tau, certificate))
+    }
 }
 
 /// The roots of the quartic that are no boundaries, τ ascending.
@@ -186,6 +196,11 @@ impl Primitive for Torus {
     #[inline]
     fn crossings<A: Real>(&self, ray: &GenericRay<A>, recorder: &mut impl Recorder, crossings: &mut Crossings) {
         solver::crossings(self, ray, recorder, crossings);
+    }
+
+    #[inline]
+    fn first_crossing(&self, approach: &impl Approach) -> Option<Crossing> {
+        solver::first_crossing(self, approach)
     }
 
     fn normal(&self, point: DVec3, _part: Part) -> DVec3 {
@@ -215,6 +230,10 @@ impl Primitive for Torus {
     fn bounds(&self) -> Bounds {
         let high = DVec3::new(self.d + 1.0, self.d + 1.0, 1.0);
         Bounds { low: -high, high }
+    }
+
+    fn ball_radius(&self) -> f64 {
+        self.d + 1.0
     }
 
     /// Four circles about the axis and eight about the tube; of a spindle only what lies outside.

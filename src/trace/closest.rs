@@ -189,7 +189,7 @@ impl Tracer<'_> {
 
     fn describe_hit(&self, ray: &Ray, surface: &Surface) -> Entry {
         let leaf = self.leaf(surface.object, &surface.boundary);
-        let generic_point = leaf.placement.generic_from_world.transform_point3(surface.point);
+        let generic_point = leaf.placement.generic_from_world().transform_point3(surface.point);
         let uv = leaf.shape.uv(generic_point, surface.boundary.part);
         Entry::new(What::Hit {
             object: self.scene.objects[surface.object].name.clone(),

@@ -95,14 +95,15 @@ impl Tracer<'_> {
         let share = if n_dot_l > 0.0 { self.arriving(ray, surface, &way, recorder) } else { 0.0 };
         let arriving = light.colour * share;
         let material = self.material(surface);
-        let mirrored = reflect(-way.towards, surface.n_shading);
-        let r_dot_v = mirrored.dot(-ray.direction.normalize()).max(0.0);
         let diffuse = arriving * material.diffuse * n_dot_l.max(0.0);
+        let mirrored = reflect(-way.towards, surface.n_shading);
+        let r_dot_v = || mirrored.dot(-ray.direction.normalize()).max(0.0);
+        // A root, a quotient and a power are dear, and 0 times them is 0.
         let is_lit = share > 0.0 && material.specular != Rgb::ZERO;
-        // A power is dear, and 0 times it is 0.
-        let highlight = if is_lit || R::RECORDING { r_dot_v.powf(material.exponent) } else { 0.0 };
+        let highlight = if is_lit || R::RECORDING { r_dot_v().powf(material.exponent) } else { 0.0 };
         let specular = arriving * material.specular * highlight;
         recorder.end(|| {
+            let r_dot_v = r_dot_v();
             let distance = matches!(light.kind, LightKind::Point(_)).then(|| way.direction.length());
             let bindings: [(&str, Value); 7] = [
                 ("I_l", arriving.to_array().into()),

@@ -5,7 +5,7 @@ use super::departure::{Ahead, Departure};
 use crate::csg::{Course, IntervalList, Solid};
 use crate::optics::MediaStack;
 use crate::record::{Counter, Entry, NullRecorder, RayKind, Recorder, What};
-use crate::scene::{Object, Rgb, Scene, Sights};
+use crate::scene::{Object, Rgb, Scene, Shortcuts, Sights};
 use glam::DVec3;
 
 /// A ray P(t) = origin + direction t in world space.
@@ -157,7 +157,11 @@ impl<'a> Tracer<'a> {
 
     /// The ray, ready to be tested against the boxes of all objects.
     pub(super) fn course(&self, ray: &Ray) -> Course {
-        Course::new(ray.origin, ray.direction, self.scene.index.skew).testing_boxes(self.scene.shortcuts.boxes)
+        let Shortcuts { boxes, balls, hierarchy, .. } = self.scene.shortcuts;
+        Course::new(ray.origin, ray.direction, self.scene.index.skew)
+            .testing_boxes(boxes)
+            .testing_balls(balls)
+            .using_hierarchies(hierarchy)
     }
 
     /// Step 5 where nothing is hit.

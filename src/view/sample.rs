@@ -104,6 +104,8 @@ fn search(s: &mut Sketch) {
     s.with(What::Object { index: 1, name: "pin".into(), intervals: 0 }, |s| {
         let [low, high, at] = [[600.0, 20.0], [640.0, 60.0], [320.5, 240.5]];
         s.note(What::Projection { of: "pin".into(), low, high, at, holds: false });
+        s.note(What::Ball { of: "lid".into(), centre: [0.0; 3], radius: 1.5, distance: 0.75, is_met: true });
+        s.note(What::Ball { of: "pin".into(), centre: [2.5, 2.5, 0.5], radius: 0.5, distance: 2.0, is_met: false });
         s.note(What::Extent { of: "pin".into(), low: [2.0, 2.0, 0.0], high: [3.0, 3.0, 1.0], inside: None });
         s.note(What::Combine {
             name: "pin".into(),

@@ -148,7 +148,7 @@ impl Truth for Sets {
 
 /// The placement of a leaf of the scene, generic to world.
 pub fn placement(scene: &Scene, [object, leaf]: [usize; 2]) -> DAffine3 {
-    scene.objects[object].solid.leaves[leaf].placement.world_from_generic
+    scene.objects[object].solid.leaves[leaf].placement.world_from_generic()
 }
 
 impl Set {

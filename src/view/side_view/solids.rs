@@ -11,6 +11,7 @@ use crate::scene::{Material, Object};
 use crate::shape::{Primitive, Shape};
 use crate::trace::srgb;
 use glam::DVec3;
+use std::f64::consts::TAU;
 
 impl SideView<'_> {
     /// Every object's section, filled in the colour of its material.
@@ -60,7 +61,7 @@ impl SideView<'_> {
         let mut found = Vec::new();
         for line in leaf.shape.outline() {
             let world: Vec<DVec3> =
-                line.iter().map(|&p| leaf.placement.world_from_generic.transform_point3(p)).collect();
+                line.iter().map(|&p| leaf.placement.world_from_generic().transform_point3(p)).collect();
             for ends in world.windows(2) {
                 let (a, b) = (height(ends[0]), height(ends[1]));
                 if (a < 0.0) != (b < 0.0) {
@@ -99,9 +100,13 @@ impl SideView<'_> {
         let is_object = |id: &EventId| matches!(self.tree.event(*id).what, What::Object { .. });
         let Some(object) = self.tree.path(self.step).into_iter().rev().find(is_object) else { return };
         for id in object..=self.step {
-            let What::Extent { of, low, high, .. } = &self.tree.event(id).what else { continue };
-            let [low, high] = [low, high].map(|corner| DVec3::from_array(*corner));
-            let mut points = self.box_section(low, high);
+            let (of, mut points) = match &self.tree.event(id).what {
+                What::Extent { of, low, high, .. } => {
+                    (of, self.box_section(DVec3::from_array(*low), DVec3::from_array(*high)))
+                }
+                What::Ball { of, centre, radius, .. } => (of, self.ball_section(DVec3::from_array(*centre), *radius)),
+                _ => continue,
+            };
             if points.len() < 3 {
                 continue;
             }
@@ -115,6 +120,23 @@ impl SideView<'_> {
                 self.label_later(corner, 4.0, label);
             }
         }
+    }
+
+    /// The circle in which a ball crosses the plane.
+    fn ball_section(&self, centre: DVec3, radius: f64) -> Vec<Spot> {
+        const SIDES: u32 = 96;
+        let height = (centre - self.plane.origin).dot(self.plane.normal);
+        let square = radius * radius - height * height;
+        if !(square > 0.0 && square.is_finite()) {
+            return Vec::new();
+        }
+        let (middle, across) = (centre - self.plane.normal * height, self.plane.normal.any_orthonormal_vector());
+        let upwards = self.plane.normal.cross(across);
+        let at = |k: u32| {
+            let (sin, cos) = (TAU * f64::from(k) / f64::from(SIDES)).sin_cos();
+            self.plane.spot(middle + (across * cos + upwards * sin) * square.sqrt())
+        };
+        (0..SIDES).map(at).collect()
     }
 
     /// The polygon in which a box crosses the plane, in order round it.

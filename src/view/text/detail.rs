@@ -113,6 +113,11 @@ fn ray_lines(what: &What) -> Option<Vec<DetailLine>> {
                 }),
             ),
         ],
+        What::Ball { centre, radius, distance, .. } => vec![
+            pair("middle", vector(*centre)),
+            pair("radius", format_number(*radius)),
+            pair("the ray passes at", format_number(*distance)),
+        ],
         What::Projection { low, high, at, .. } => {
             let point = |[x, y]: [f64; 2]| format!("({}, {})", format_number(x), format_number(y));
             vec![pair("corners", format!("{} and {}", point(*low), point(*high))), pair("the ray's pixel", point(*at))]

@@ -17,6 +17,10 @@ fn explain_search(what: &What) -> Option<&'static str> {
         What::Object { .. } => {
             "All stretches of the ray inside this object are found, for every t, in front of the eye and behind it."
         }
+        What::Ball { is_met: true, .. } => "The ray passes through the ball, so what the ball holds must be tested.",
+        What::Ball { is_met: false, .. } => {
+            "The ray passes the middle of the ball at more than its radius, so it misses all that the ball holds."
+        }
         What::Extent { inside: Some(_), .. } => "The ray passes through the box, so what the box holds must be tested.",
         What::Extent { inside: None, .. } => {
             "The ray misses the box, so nothing that the box holds needs to be tested."

@@ -33,6 +33,7 @@ fn icon(what: &What) -> &'static str {
         },
         What::Object { .. } => "◆",
         What::Extent { .. } => "□",
+        What::Ball { .. } => "○",
         What::Projection { .. } => "▭",
         What::Transform { .. } => "⇄",
         What::Primitive { .. } => "●",
@@ -71,6 +72,8 @@ fn label(what: &What) -> String {
         What::Object { name, intervals, .. } => format!("{name}: {}", count(*intervals, "inside interval")),
         What::Extent { of, inside: Some(_), .. } => format!("extent of {of}: the ray may hit"),
         What::Extent { of, inside: None, .. } => format!("extent of {of}: missed"),
+        What::Ball { of, is_met: true, .. } => format!("ball around {of}: the ray may hit"),
+        What::Ball { of, is_met: false, .. } => format!("ball around {of}: missed"),
         What::Projection { of, holds: true, .. } => format!("rectangle of {of} in the picture: the ray may hit"),
         What::Projection { of, .. } => format!("rectangle of {of} in the picture: missed"),
         What::Transform { of, .. } => format!("ray into the generic coordinates of {of}"),
@@ -128,6 +131,9 @@ fn numbers(event: &Event) -> String {
         }
         What::Ray { origin, direction, weight, .. } => {
             format!("{} + {} t, weight {}", brief_vector(*origin), brief_vector(*direction), brief(*weight))
+        }
+        What::Ball { radius, distance, is_met, .. } => {
+            format!("{} {} {}", brief(*distance), if *is_met { "≤" } else { ">" }, brief(*radius))
         }
         What::Extent { inside: Some([near, far]), .. } => format!("t from {} to {}", brief(*near), brief(*far)),
         What::Projection { low: [left, top], high: [right, bottom], .. } => {

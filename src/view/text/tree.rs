@@ -80,7 +80,7 @@ fn said_by_row(what: &What, name: &str) -> bool {
         | What::Ambient { .. }
         | What::Primitive { .. } => true,
         What::Ray { .. } => matches!(name, "kind" | "depth" | "weight"),
-        What::Object { .. } | What::Extent { .. } => name == "inside",
+        What::Object { .. } | What::Extent { .. } | What::Ball { .. } => name == "inside",
         What::Quadratic { .. } => matches!(name, "equation" | "roots"),
         What::Implicit { .. } => name == "zeros",
         What::Medium { .. } => matches!(name, "before" | "after"),

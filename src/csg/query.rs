@@ -1,0 +1,237 @@
+//! One ray's way through the Boolean tree of a solid (§ 6.5.3).
+
+use super::combine::{Tie, combine};
+use super::placement::PlacedRay;
+use super::report;
+use super::wide_union::WideUnion;
+use super::{Boundary, Course, Enclosure, Extent, IntervalList, Leaf, Node, Solid};
+use crate::math::{DoubleDouble, Real};
+use crate::record::{Counter, NullRecorder, Operator, Recorder, Sense};
+use crate::shape::{Crossings, Primitive};
+use std::cell::Cell;
+
+/// One ray's way through the tree.
+pub(super) struct Query<'a> {
+    solid: &'a Solid,
+    course: &'a Course,
+    /// The ray is known to meet the box of the whole solid.
+    is_met: bool,
+    /// Boundaries of two operands that could not be told apart: the first that were met.
+    tie: Cell<Option<Tie>>,
+}
+
+impl<'a> Query<'a> {
+    pub const fn new(solid: &'a Solid, course: &'a Course) -> Self {
+        Self { solid, course, is_met: false, tie: Cell::new(None) }
+    }
+
+    /// For a ray that is known to meet the box of the whole solid, or not known to.
+    pub const fn with_box_met(self, is_met: bool) -> Self {
+        Self { is_met, ..self }
+    }
+
+    /// The whole tree.
+    pub fn whole<A: Real, R: Recorder>(&self, recorder: &mut R) -> IntervalList {
+        if A::FINEST || matches!(self.solid.root(), Node::Leaf { .. }) {
+            self.node::<A, _>(self.solid.root(), recorder)
+        } else {
+            self.adaptively::<A, _>(recorder)
+        }
+    }
+
+    /// The whole tree, in the fast arithmetic if that is enough.
+    fn adaptively<A: Real, R: Recorder>(&self, recorder: &mut R) -> IntervalList {
+        let root = self.solid.root();
+        // What is told is the way that decided; so it has to be known first which one that is.
+        let first =
+            if R::RECORDING { self.node::<A, _>(root, &mut NullRecorder) } else { self.node::<A, R>(root, recorder) };
+        match self.tie.take() {
+            None if R::RECORDING => self.node::<A, R>(root, recorder),
+            None => first,
+            Some(tie) => {
+                let list = self.node::<DoubleDouble, R>(root, recorder);
+                recorder.note(|| report::tie::<A>(tie, self.tie.get()));
+                list
+            }
+        }
+    }
+
+    fn node<A: Real, R: Recorder>(&self, node: &Node, recorder: &mut R) -> IntervalList {
+        match node {
+            Node::Leaf { leaf, enclosure } => self.leaf::<A, R>(*leaf, enclosure, recorder),
+            // What is told is told pair by pair.
+            Node::Pair { enclosure, wide: Some(wide), .. } if !R::RECORDING && self.course.hierarchies => {
+                self.wide_union::<A, R>(wide, enclosure, recorder)
+            }
+            Node::Pair { name, operator, left, right, enclosure, .. } => {
+                let operands = [*left, *right].map(|index| &self.solid.nodes[index]);
+                self.pair::<A, R>(name, *operator, operands, enclosure, recorder)
+            }
+        }
+    }
+
+    /// Both lists and their combination, with the early outs of § 6.5.3.
+    fn pair<A: Real, R: Recorder>(
+        &self,
+        name: &str,
+        operator: Operator,
+        [left, right]: [&Node; 2],
+        enclosure: &Enclosure,
+        recorder: &mut R,
+    ) -> IntervalList {
+        let empty = IntervalList::default();
+        let told = |left: &IntervalList, right: Option<&IntervalList>, combined: &IntervalList, out| {
+            report::combine(self.solid, name, operator, [Some(left), right, Some(combined)], out)
+        };
+        recorder.begin();
+        if !self.meets(name, enclosure, recorder) {
+            let reason = "the ray misses the extent, so nothing in it was asked";
+            recorder.end(|| told(&empty, None, &empty, Some(reason)));
+            return empty;
+        }
+        let left_list = self.node::<A, R>(left, recorder);
+        if left_list.is_empty() && operator != Operator::Union {
+            recorder.end(|| told(&left_list, None, &empty, Some(left_is_missed(operator))));
+            return empty;
+        }
+        let right_list = self.node::<A, R>(right, recorder);
+        let combined = combine(operator, &left_list, &right_list, &mut |tie| self.note(tie));
+        if R::RECORDING {
+            let lists = [&left_list, &right_list];
+            report::rejected(self.solid, name, operator, [left, right], lists, &combined, recorder);
+        }
+        recorder.end(|| told(&left_list, Some(&right_list), &combined, early_out(operator, &left_list, &right_list)));
+        combined
+    }
+
+    /// The lists of those operands of a wide union whose boxes the ray meets, combined from the left. The others are empty.
+    fn wide_union<A: Real, R: Recorder>(
+        &self,
+        wide: &WideUnion,
+        enclosure: &Enclosure,
+        recorder: &mut R,
+    ) -> IntervalList {
+        if !self.meets("", enclosure, recorder) {
+            return IntervalList::default();
+        }
+        let add = |all: IntervalList, node: usize| {
+            let list = self.node::<A, R>(&self.solid.nodes[node], recorder);
+            combine(Operator::Union, &all, &list, &mut |tie| self.note(tie))
+        };
+        wide.reached(self.course).into_iter().fold(IntervalList::default(), add)
+    }
+
+    /// Keeps the first tie.
+    fn note(&self, tie: Tie) {
+        self.tie.set(Some(self.tie.get().unwrap_or(tie)));
+    }
+
+    fn leaf<A: Real, R: Recorder>(&self, index: usize, enclosure: &Enclosure, recorder: &mut R) -> IntervalList {
+        let leaf = &self.solid.leaves[index];
+        recorder.begin();
+        let list = if self.meets(&leaf.name, enclosure, recorder) {
+            self.primitive::<A, R>(index, leaf, &enclosure.extent, recorder)
+        } else {
+            IntervalList::default()
+        };
+        recorder.end(|| report::primitive(leaf, index, &list));
+        list
+    }
+
+    /// The primitive's own list: the ray in generic coordinates, its crossings, and the intervals between them.
+    fn primitive<A: Real, R: Recorder>(
+        &self,
+        index: usize,
+        leaf: &Leaf,
+        extent: &Extent,
+        recorder: &mut R,
+    ) -> IntervalList {
+        recorder.count(Counter::ShapeTest(leaf.shape.index()));
+        recorder.note(|| report::transform(leaf, self.course.line));
+        let ray = leaf.placement.generic_ray::<A>(&self.course.line);
+        let mut crossings = Crossings::new();
+        if R::RECORDING {
+            leaf.shape.crossings(&ray, recorder, &mut crossings);
+        } else {
+            // Solvers do not count; so all recorders that only count can share one copy of their code.
+            leaf.shape.crossings(&ray, &mut NullRecorder, &mut crossings);
+        }
+        if crossings.is_empty() && extent.is_unbounded() && leaf.shape.implicit(ray.point(A::ZERO)) < 0.0 {
+            return IntervalList::starting(true);
+        }
+        IntervalList::of_crossings(index, &crossings)
+    }
+
+    /// The first crossing of a primitive with t > 0: what is first in its interval list too.
+    pub fn first_crossing(
+        &self,
+        index: usize,
+        enclosure: &Enclosure,
+        recorder: &mut impl Recorder,
+    ) -> Option<(Boundary, Sense)> {
+        let leaf = &self.solid.leaves[index];
+        if !self.meets(&leaf.name, enclosure, recorder) {
+            return None;
+        }
+        recorder.count(Counter::ShapeTest(leaf.shape.index()));
+        let first = leaf.shape.first_crossing(&PlacedRay { placement: &leaf.placement, line: &self.course.line })?;
+        Some((Boundary::of_crossing(index, &first), first.sense))
+    }
+
+    /// Whether the ray may meet what a node's enclosure holds.
+    fn meets(&self, name: &str, enclosure: &Enclosure, recorder: &mut impl Recorder) -> bool {
+        let is_root = self.is_met && std::ptr::eq(enclosure, self.solid.enclosure());
+        (is_root || self.meets_box(name, &enclosure.extent, recorder)) && self.meets_ball(name, enclosure, recorder)
+    }
+
+    fn meets_box(&self, name: &str, extent: &Extent, recorder: &mut impl Recorder) -> bool {
+        if !self.course.boxes || extent.is_unbounded() {
+            return true;
+        }
+        let inside = extent.inside(self.course);
+        count(inside.is_some(), recorder);
+        recorder.note(|| report::extent(name, extent, inside));
+        inside.is_some()
+    }
+
+    fn meets_ball(
+        &self,
+        name: &str,
+        Enclosure { ball, asks_ball, .. }: &Enclosure,
+        recorder: &mut impl Recorder,
+    ) -> bool {
+        if !self.course.balls || !asks_ball {
+            return true;
+        }
+        let is_met = !ball.is_missed(self.course);
+        count(is_met, recorder);
+        recorder.note(|| report::ball(name, ball, self.course, is_met));
+        is_met
+    }
+}
+
+/// Counts the test of an extent.
+fn count(is_met: bool, recorder: &mut impl Recorder) {
+    recorder.count(Counter::ExtentTest);
+    if !is_met {
+        recorder.count(Counter::ExtentMiss);
+    }
+}
+
+/// Why the right operand is not asked where the left one is missed.
+const fn left_is_missed(operator: Operator) -> &'static str {
+    match operator {
+        Operator::Intersection => "the ray misses the left solid, and a point must be in both",
+        _ => "the ray misses the left solid, and nothing can be taken from nothing",
+    }
+}
+
+/// The early outs that both lists allow: nothing was left to combine.
+fn early_out(operator: Operator, left: &IntervalList, right: &IntervalList) -> Option<&'static str> {
+    match (operator, left.is_empty(), right.is_empty()) {
+        (Operator::Union, true, true) => Some("the ray misses both solids"),
+        (Operator::Intersection, _, true) => Some("the ray misses the right solid, and a point must be in both"),
+        (Operator::Difference, _, true) => Some("the ray misses the right solid, so the left list is the result"),
+        _ => None,
+    }
+}
