@@ -7,6 +7,10 @@ use crate::scene::{Rgb, Scene, Sights};
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
+/// The step of the workbench's first pass: one pixel in 8 × 8. Larger blocks would show nothing recognisable; smaller ones
+/// would take longer to appear.
+pub const FIRST_BLOCK: u32 = 8;
+
 /// A picture in linear RGB. Pixels that were not reached yet hold the colour of a coarser pass, or the background.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Picture {
