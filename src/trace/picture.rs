@@ -76,7 +76,12 @@ impl Picture {
     /// Three sRGB bytes a pixel, row by row from the top.
     #[must_use]
     pub fn to_rgb8(&self) -> Vec<u8> {
-        self.pixels.iter().flat_map(|&linear| srgb(linear)).collect()
+        let mut bytes = Vec::with_capacity(3 * self.pixels.len());
+        // A power is dear. A coarse picture is made of blocks of one colour, and many a fine one has a plain background.
+        for run in self.pixels.chunk_by(|a, b| a == b) {
+            bytes.extend(std::iter::repeat_n(srgb(run[0]), run.len()).flatten());
+        }
+        bytes
     }
 
     /// Paints a block, cut off at the picture's edges.
