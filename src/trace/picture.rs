@@ -176,4 +176,12 @@ mod tests {
         assert_eq!(srgb(Rgb::new(0.5, 0.214_041, 0.002)), [188, 127, 7]);
         assert_eq!(srgb(Rgb::new(-1.0, 2.0, f64::INFINITY)), [0, 255, 255]);
     }
+
+    #[test]
+    fn every_pixel_has_its_own_bytes_in_a_run_of_one_colour_and_beside_it() {
+        let pixels = vec![Rgb::ONE, Rgb::ZERO, Rgb::ZERO, Rgb::ONE, Rgb::NAN, Rgb::ZERO];
+        let picture = Picture { width: 3, height: 2, pixels, computed: 0 };
+        let white = [true, false, false, true, false, false];
+        assert_eq!(picture.to_rgb8(), white.map(|white| if white { [255; 3] } else { [0; 3] }).concat());
+    }
 }
