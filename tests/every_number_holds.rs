@@ -18,7 +18,7 @@ fn components(value: &Value) -> Vec<f64> {
 
 /// What is wrong with a line, if anything.
 fn complaint(line: &Working) -> Option<String> {
-    let worked_out = match evaluate(&line.numbers) {
+    let worked_out = match evaluate(&line.numbers.to_string()) {
         Ok(value) => value,
         Err(reason) => return Some(reason),
     };

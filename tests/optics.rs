@@ -147,8 +147,8 @@ fn the_working_shows_every_number_of_the_event() {
     let (direction, optics) = (at(30.0), refract(at(30.0), DVec3::Z, 1.0, 2.0));
     let entry = snell_entry(direction, DVec3::Z, 1.0, 2.0, &optics);
     let line = |symbol: &str| entry.working.iter().find(|line| line.symbol == symbol).unwrap();
-    assert_eq!(line("η").numbers, "1 / 2");
-    assert_eq!(line("w").numbers, "1 − 0.5² 0.5²");
+    assert_eq!(line("η").numbers.to_string(), "1 / 2");
+    assert_eq!(line("w").numbers.to_string(), "1 − 0.5² 0.5²");
     assert_eq!(line("R").result, optics.reflectance().into());
     assert!(matches!(entry.what, What::Snell { total_internal_reflection: false, critical: None, .. }));
     assert!(entry.source.file.ends_with("optics.rs"));

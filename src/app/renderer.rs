@@ -1,13 +1,9 @@
 //! The picture, rendered on all cores behind the window's back, coarse to fine.
 
 use crate::scene::Scene;
-use crate::trace::{Picture, Progress, render_rows};
+use crate::trace::{FIRST_BLOCK, Picture, Progress, render_rows};
 use egui::{ColorImage, Context, TextureHandle, TextureOptions};
 use std::sync::{Arc, Mutex, PoisonError};
-
-/// The first pass computes one pixel in 8 × 8. Larger blocks would show nothing recognisable; smaller ones would take
-/// longer to appear.
-const FIRST_BLOCK: u32 = 8;
 
 /// Single pixels stay visible when the picture is magnified, and lines stay whole when it is made smaller.
 const SAMPLING: TextureOptions = TextureOptions {

@@ -1,8 +1,9 @@
 //! The events of a traced pixel, in the order in which they happen.
 
-use super::{Outcome, Value, What, Working};
+use super::{Binding, Numbers, Outcome, What, Working};
 use schemars::JsonSchema;
 use serde::Serialize;
+use std::borrow::Cow;
 
 /// A point, direction or linear RGB colour.
 pub type Triple = [f64; 3];
@@ -58,8 +59,19 @@ impl Entry {
 
     /// Adds a line of working: `symbol = formula`, with `bindings` put in, `= result`.
     #[must_use]
-    pub fn line(mut self, symbol: &str, formula: &str, bindings: &[(&str, Value)], result: impl Into<Outcome>) -> Self {
-        self.working.push(Working::new(symbol, formula, bindings, result));
+    pub fn line(
+        mut self,
+        symbol: impl Into<Cow<'static, str>>,
+        formula: &'static str,
+        bindings: &[Binding],
+        result: impl Into<Outcome>,
+    ) -> Self {
+        let numbers = match self.working.last() {
+            Some(last) => last.numbers.next(formula, bindings),
+            None => Numbers::new(formula, bindings),
+        };
+        let Outcome { value: result, accuracy } = result.into();
+        self.working.push(Working { symbol: symbol.into(), formula, numbers, result, accuracy });
         self
     }
 }

@@ -4,12 +4,14 @@
 //! derive `Serialize` and `JsonSchema` because they *are* the exported trace format.
 
 mod event;
+mod numbers;
 mod parts;
 mod recorder;
 mod what;
 mod working;
 
 pub use event::{Entry, Event, EventId, Source, Triple};
+pub use numbers::{Binding, Numbers};
 pub use parts::{
     Candidate, CandidateFate, Certificate, Edge, Operator, PlaneRow, PlaneSense, RayKind, Sense, Sign, SignSpan, Span,
     Tier,

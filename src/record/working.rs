@@ -1,11 +1,12 @@
 //! The working behind a number: the formula, the formula with this ray's numbers put in, and the result.
 
-use super::Triple;
+use super::{Numbers, Triple};
 use schemars::JsonSchema;
 use serde::Serialize;
+use std::borrow::Cow;
 
 /// A result: a number, a vector or a truth value.
-#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 #[serde(untagged)]
 pub enum Value {
     /// A plain number; non-finite ones are written as `null`.
@@ -69,8 +70,8 @@ pub struct Measured<T> {
 /// What came out of a line of working.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Outcome {
-    value: Value,
-    accuracy: Option<Accuracy>,
+    pub(super) value: Value,
+    pub(super) accuracy: Option<Accuracy>,
 }
 
 impl<T: Into<Value>> From<T> for Outcome {
@@ -95,26 +96,17 @@ impl From<Measured<Triple>> for Outcome {
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Working {
     /// What is worked out, such as `B`.
-    pub symbol: String,
+    pub symbol: Cow<'static, str>,
     /// The general formula, such as `S·c`.
-    pub formula: String,
+    pub formula: &'static str,
     /// The formula with this ray's numbers in place of its symbols.
-    pub numbers: String,
+    #[schemars(with = "String")]
+    pub numbers: Numbers,
     /// What came out: the very number that the tracer went on with.
     pub result: Value,
     /// How far the result may be off, where the solver kept account.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub accuracy: Option<Accuracy>,
-}
-
-impl Working {
-    /// Puts `bindings` into `formula`. No number is ever typed: each comes from the value that the tracer used.
-    #[must_use]
-    pub fn new(symbol: &str, formula: &str, bindings: &[(&str, Value)], result: impl Into<Outcome>) -> Self {
-        let Outcome { value, accuracy } = result.into();
-        let numbers = substitute(formula, bindings);
-        Self { symbol: symbol.to_owned(), formula: formula.to_owned(), numbers, result: value, accuracy }
-    }
 }
 
 /// A number as people read it: six significant digits, no trailing zeros, powers of ten for the very large and small.
@@ -169,37 +161,6 @@ fn superscript(digit: char) -> char {
     }
 }
 
-/// Replaces each symbol of `formula` that has a binding; negative numbers are put in parentheses.
-fn substitute(formula: &str, bindings: &[(&str, Value)]) -> String {
-    let mut text = String::with_capacity(formula.len() * 2);
-    let mut rest = formula;
-    while let Some(first) = rest.chars().next() {
-        if !is_symbol(first) {
-            text.push(first);
-            rest = &rest[first.len_utf8()..];
-            continue;
-        }
-        let end = rest.find(|c| !is_symbol(c)).unwrap_or(rest.len());
-        let (word, after) = rest.split_at(end);
-        match bindings.iter().find(|(symbol, _)| *symbol == word) {
-            Some((_, value)) => text.push_str(&in_place(value)),
-            None => text.push_str(word),
-        }
-        rest = after;
-    }
-    text
-}
-
-/// Letters, subscripts and marks that belong to a symbol; superscripts do not (`c²` is the square of `c`).
-fn is_symbol(c: char) -> bool {
-    c.is_alphanumeric() && !matches!(c, '⁰' | '¹' | '²' | '³' | '⁴' | '⁵'..='⁹') || matches!(c, '_' | '′' | '₀'..='₉')
-}
-
-fn in_place(value: &Value) -> String {
-    let text = value.to_string();
-    if text.starts_with('−') || text.contains('·') { format!("({text})") } else { text }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -219,12 +180,5 @@ mod tests {
         ] {
             assert_eq!(format_number(number), text);
         }
-    }
-
-    #[test]
-    fn symbols_are_replaced_whole_and_squares_stay() {
-        let bindings = [("c_x", Value::Number(-2.0)), ("c", Value::Number(7.0)), ("θ₁", Value::Number(0.5))];
-        let line = Working::new("A", "c_x² + c·sin θ₁ + r", &bindings, Value::Number(4.0));
-        assert_eq!(line.numbers, "(−2)² + 7·sin 0.5 + r");
     }
 }

@@ -135,7 +135,7 @@ impl Superellipsoid {
             let bindings = [("x", x), ("y", y), ("z", z), ("n", Value::Number(n)), ("m", Value::Number(m))];
             let symbol = format!("F(t{})", ['₁', '₂', '₃', '₄', '₅', '₆', '₇', '₈'].get(k).unwrap_or(&'ₖ'));
             let excess = report::measured(self.exponents.level(place.map(Real::abs)).excess, 1.0);
-            entry = entry.line(&symbol, "(|x|^n + |y|^n)^(m/n) + |z|^m − 1", &bindings, excess);
+            entry = entry.line(symbol, "(|x|^n + |y|^n)^(m/n) + |z|^m − 1", &bindings, excess);
         }
         entry
     }

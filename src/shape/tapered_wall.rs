@@ -179,13 +179,9 @@ impl<A: Real> Wall<A> {
         .line("r", "S_x c_y − S_y c_x", &bindings, r)
         .line("D", "p² + q² − r²", &bindings, discriminant);
         if let [first, second] = roots[..] {
-            let (low, high) = if a.value > 0.0 { ("−", "+") } else { ("+", "−") };
-            entry = entry.line("t₁", &format!("(−B {low} √D) / A"), &bindings, first).line(
-                "t₂",
-                &format!("(−B {high} √D) / A"),
-                &bindings,
-                second,
-            );
+            let (lower, upper) = ("(−B − √D) / A", "(−B + √D) / A");
+            let [earlier, later] = if a.value > 0.0 { [lower, upper] } else { [upper, lower] };
+            entry = entry.line("t₁", earlier, &bindings, first).line("t₂", later, &bindings, second);
         } else if let [only] = roots[..] {
             entry = entry.line("t", "−C / (2 B)", &bindings, only);
         }

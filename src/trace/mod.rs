@@ -17,7 +17,7 @@ mod tree;
 pub use closest::Surface;
 pub use departure::{Ahead, Departure};
 pub use export::{TRACE_FORMAT, TraceFile, trace_schema};
-pub use picture::{Picture, Progress, render, render_rows, srgb};
+pub use picture::{FIRST_BLOCK, Picture, Progress, render, render_rows, srgb};
 pub use pixel::{record_pixel, record_ray, trace_pixel};
 pub use ray::{Ray, Tracer};
 pub use tally::Tally;

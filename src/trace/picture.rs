@@ -7,6 +7,10 @@ use crate::scene::{Rgb, Scene, Sights};
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
+/// The step of the workbench's first pass: one pixel in 8 × 8. Larger blocks would show nothing recognisable; smaller ones
+/// would take longer to appear.
+pub const FIRST_BLOCK: u32 = 8;
+
 /// A picture in linear RGB. Pixels that were not reached yet hold the colour of a coarser pass, or the background.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Picture {
@@ -72,7 +76,12 @@ impl Picture {
     /// Three sRGB bytes a pixel, row by row from the top.
     #[must_use]
     pub fn to_rgb8(&self) -> Vec<u8> {
-        self.pixels.iter().flat_map(|&linear| srgb(linear)).collect()
+        let mut bytes = Vec::with_capacity(3 * self.pixels.len());
+        // A power is dear. A coarse picture is made of blocks of one colour, and many a fine one has a plain background.
+        for run in self.pixels.chunk_by(|a, b| a == b) {
+            bytes.extend(std::iter::repeat_n(srgb(run[0]), run.len()).flatten());
+        }
+        bytes
     }
 
     /// Paints a block, cut off at the picture's edges.
@@ -166,5 +175,13 @@ mod tests {
         assert_eq!(srgb(Rgb::ONE), [255, 255, 255]);
         assert_eq!(srgb(Rgb::new(0.5, 0.214_041, 0.002)), [188, 127, 7]);
         assert_eq!(srgb(Rgb::new(-1.0, 2.0, f64::INFINITY)), [0, 255, 255]);
+    }
+
+    #[test]
+    fn every_pixel_has_its_own_bytes_in_a_run_of_one_colour_and_beside_it() {
+        let pixels = vec![Rgb::ONE, Rgb::ZERO, Rgb::ZERO, Rgb::ONE, Rgb::NAN, Rgb::ZERO];
+        let picture = Picture { width: 3, height: 2, pixels, computed: 0 };
+        let white = [true, false, false, true, false, false];
+        assert_eq!(picture.to_rgb8(), white.map(|white| if white { [255; 3] } else { [0; 3] }).concat());
     }
 }

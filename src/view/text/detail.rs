@@ -59,9 +59,9 @@ pub fn detail(event: &Event) -> Detail {
         .or_else(|| hit_lines(&event.what))
         .unwrap_or_else(|| light_lines(&event.what));
     lines.extend(event.working.iter().map(|line| DetailLine::Working {
-        symbol: line.symbol.clone(),
-        formula: line.formula.clone(),
-        numbers: line.numbers.clone(),
+        symbol: line.symbol.to_string(),
+        formula: line.formula.to_owned(),
+        numbers: line.numbers.to_string(),
         result: line.result.to_string() + &line.accuracy.as_ref().map(accuracy).unwrap_or_default(),
     }));
     Detail {
