@@ -57,12 +57,12 @@ impl Enclosure {
         Self { asks_ball: !matches!(shape, Shape::Sphere(_)) && is_worthwhile(&ball, &extent), extent, ball }
     }
 
-    /// What holds a compound.
+    /// What holds a compound. A ball that is the left operand's is not asked: that operand is the first to be asked anyway.
     #[must_use]
     pub fn of_pair(operator: Operator, left: &Self, right: &Self) -> Self {
         let extent = Extent::of_pair(operator, left.extent, right.extent);
         let ball = Ball::of_pair(operator, left.ball, right.ball);
-        Self { asks_ball: is_worthwhile(&ball, &extent), extent, ball }
+        Self { asks_ball: ball != left.ball && is_worthwhile(&ball, &extent), extent, ball }
     }
 }
 

@@ -95,11 +95,14 @@ impl<'a> Query<'a> {
             return empty;
         }
         let right_list = self.node::<A, R>(right, recorder);
-        let combined = combine(operator, &left_list, &right_list, &mut |tie| self.note(tie));
-        if R::RECORDING {
-            let lists = [&left_list, &right_list];
-            report::rejected(self.solid, name, operator, [left, right], lists, &combined, recorder);
+        let result = || combine(operator, &left_list, &right_list, &mut |tie| self.note(tie));
+        if !R::RECORDING {
+            // Nobody looks at it, so it is built where the caller wants it and not copied there.
+            return result();
         }
+        let combined = result();
+        let lists = [&left_list, &right_list];
+        report::rejected(self.solid, name, operator, [left, right], lists, &combined, recorder);
         recorder.end(|| told(&left_list, Some(&right_list), &combined, early_out(operator, &left_list, &right_list)));
         combined
     }
@@ -128,14 +131,14 @@ impl<'a> Query<'a> {
 
     fn leaf<A: Real, R: Recorder>(&self, index: usize, enclosure: &Enclosure, recorder: &mut R) -> IntervalList {
         let leaf = &self.solid.leaves[index];
-        recorder.begin();
-        let list = if self.meets(&leaf.name, enclosure, recorder) {
-            self.primitive::<A, R>(index, leaf, &enclosure.extent, recorder)
-        } else {
-            IntervalList::default()
+        let list = |recorder: &mut R| {
+            if self.meets(&leaf.name, enclosure, recorder) {
+                self.primitive::<A, R>(index, leaf, &enclosure.extent, recorder)
+            } else {
+                IntervalList::default()
+            }
         };
-        recorder.end(|| report::primitive(leaf, index, &list));
-        list
+        recorder.event(list, |list| report::primitive(leaf, index, list))
     }
 
     /// The primitive's own list: the ray in generic coordinates, its crossings, and the intervals between them.

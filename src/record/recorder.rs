@@ -34,6 +34,18 @@ pub trait Recorder {
     /// Counts one occurrence.
     fn count(&mut self, counter: Counter);
 
+    /// Reports what `work` does as the parts of an event, which is described by the result. Where nothing is recorded
+    /// the result goes straight to the caller: one that a description might borrow would first have to be copied.
+    fn event<T>(&mut self, work: impl FnOnce(&mut Self) -> T, describe: impl FnOnce(&T) -> Entry) -> T {
+        if !Self::RECORDING {
+            return work(self);
+        }
+        self.begin();
+        let result = work(self);
+        self.end(|| describe(&result));
+        result
+    }
+
     /// Reports an event without children.
     fn note(&mut self, describe: impl FnOnce() -> Entry) {
         self.begin();

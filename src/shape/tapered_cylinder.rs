@@ -121,7 +121,7 @@ impl TaperedCylinder {
     /// How far the time of a hit with a part moves when S and c are off by one part in one.
     #[inline]
     fn moved<A: Real>(ray: &GenericRay<A>, wall: &Wall<A>, tau: f64, part: Part) -> f64 {
-        if part == WALL { wall.moved(tau) } else { ray.sway(tau)[2] / ray.direction[2].abs().to_f64() }
+        if part == WALL { wall.moved(tau) } else { ray.sway(tau)[2] * (1.0 / ray.direction[2].abs().to_f64()) }
     }
 
     /// A time at which a part is met, with what eight roundings do to it.
@@ -204,8 +204,8 @@ impl Solver for TaperedCylinder {
             let (wall, ends) = (&solution.wall, Pair([&solution.enter, &solution.leave]));
             let (tau, is_wall) = (ends.map(|end| end.tau), ends.map(|end| end.part == WALL));
             let tau = is_wall.choose(tau.map(|tau| wall.polished(ray, tau)), tau).map(A::to_f64);
-            let across = tau.map(|tau| ray.sway(tau)[2]) / ray.direction[2].abs().to_f64();
-            let moved = is_wall.choose(tau.map(|tau| wall.moved(tau)), across);
+            let moved = |part| tau.map(|tau| Self::moved(ray, wall, tau, part));
+            let moved = is_wall.choose(moved(WALL), moved(BASE));
             ends.zip(tau.zip(moved))
                 .map(|(end, (tau, moved))| Root { tau, error: ray.error_of_time(moved, tau), part: end.part })
                 .0

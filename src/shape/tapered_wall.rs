@@ -122,7 +122,8 @@ impl<A: Real> Wall<A> {
     pub fn moved(&self, tau: f64) -> f64 {
         // On the wall neither |x| nor |y| is more than w, and the slope of F is 2 √D.
         let w = (self.w.to_f64() + tau * self.d.to_f64()).abs();
-        w * (self.start + tau.abs() * self.course) / self.quadratic.discriminant.to_f64().sqrt()
+        // The same reciprocal for all times: a quotient takes as long as all the rest.
+        w * (self.start + tau.abs() * self.course) * (1.0 / self.quadratic.discriminant.to_f64().sqrt())
     }
 
     /// The wall's quadratic in the shared t, with its working.

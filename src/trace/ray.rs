@@ -211,11 +211,9 @@ pub(super) const STEPS: [&str; 6] = [
 
 /// Runs one of the six steps. For the camera ray the step is an event of its own, the first level of a pixel's tree.
 pub(super) fn step<R: Recorder, T>(ray: &Ray, number: u8, recorder: &mut R, work: impl FnOnce(&mut R) -> T) -> T {
-    if ray.kind != RayKind::Camera {
-        return work(recorder);
+    if R::RECORDING && ray.kind == RayKind::Camera {
+        recorder.event(work, |_| Entry::new(What::Step { number, title: STEPS[usize::from(number) - 1].to_owned() }))
+    } else {
+        work(recorder)
     }
-    recorder.begin();
-    let result = work(recorder);
-    recorder.end(|| Entry::new(What::Step { number, title: STEPS[usize::from(number) - 1].to_owned() }));
-    result
 }
