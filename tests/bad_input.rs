@@ -92,7 +92,7 @@ fn copies_of_copies_that_multiply_are_stopped() {
         (1..=40).map(doubled).collect::<String>()
     );
     let errors = load(&text, "copies.json").unwrap_err().errors;
-    assert_eq!(errors[0].message, "the scene has more than 10000 primitives, copies counted");
+    assert_eq!(errors[0].message, "the scene has more than 150000 primitives, copies counted");
 }
 
 #[test]

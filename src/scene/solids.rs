@@ -18,8 +18,8 @@ use std::sync::LazyLock;
 /// `of` adds a level with each solid in it, so fewer would soon be felt.
 const MOST_LEVELS: usize = 256;
 
-/// Primitives of one file, copies counted. Copies of copies grow without bound otherwise.
-const MOST_PRIMITIVES: usize = 10_000;
+/// Primitives of one file, copies counted. Copies of copies grow without bound otherwise; these fill about 200 megabytes.
+const MOST_PRIMITIVES: usize = 150_000;
 
 /// A solid and the materials of its leaves, where they have one.
 pub(super) struct Compiled {

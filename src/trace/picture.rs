@@ -83,15 +83,6 @@ impl Picture {
         }
         bytes
     }
-
-    /// Paints a block, cut off at the picture's edges.
-    fn fill(&mut self, x: u32, y: u32, side: u32, colour: Rgb) {
-        let (right, bottom) = (x.saturating_add(side).min(self.width), y.saturating_add(side).min(self.height));
-        for row in y..bottom {
-            let start = row as usize * self.width as usize;
-            self.pixels[start + x as usize..start + right as usize].fill(colour);
-        }
-    }
 }
 
 /// Renders on all threads of the current pool. When it is cancelled the picture holds what was finished until then.
@@ -116,13 +107,17 @@ pub fn render_rows(
     let coarsest = step.max(1).next_power_of_two();
     let mut side = coarsest;
     while side > 0 && !progress.cancelled() {
-        let rows: Vec<u32> = (0..picture.height).step_by(side as usize).collect();
-        let traced: Vec<Row> = rows.par_iter().map(|&y| trace_row(&tracer, y, side, coarsest, progress)).collect();
-        for row in &traced {
-            row.pixels.iter().for_each(|&(x, colour)| picture.fill(x, row.y, side, colour));
-            picture.computed += row.pixels.len();
-            tally = tally.plus(&row.tally);
-        }
+        let band = picture.width as usize * side as usize;
+        // Row by row: rows through glass take many times as long as others, and a large share of them would be waited for.
+        let bands = picture
+            .pixels
+            .par_chunks_mut(band)
+            .with_max_len(1)
+            .zip((0..picture.height).into_par_iter().step_by(side as usize));
+        let traced = bands.map(|(band, y)| trace_row(&tracer, y, [side, coarsest], band, progress));
+        let (computed, passed) = traced.reduce(Default::default, |a, b| (a.0 + b.0, a.1.plus(&b.1)));
+        picture.computed += computed;
+        tally = tally.plus(&passed);
         if !progress.cancelled() {
             on_pass(&picture, side);
         }
@@ -131,26 +126,31 @@ pub fn render_rows(
     (picture, tally)
 }
 
-/// The new pixels of a row in one pass.
-struct Row {
+/// Traces the new pixels of a row in one pass, and paints their blocks into the band of the picture below its upper edge.
+/// Returns how many there were, with their account.
+fn trace_row(
+    tracer: &Tracer,
     y: u32,
-    pixels: Vec<(u32, Rgb)>,
-    tally: Tally,
-}
-
-fn trace_row(tracer: &Tracer, y: u32, side: u32, coarsest: u32, progress: &Progress) -> Row {
-    let mut row = Row { y, pixels: Vec::new(), tally: Tally::default() };
-    for x in (0..tracer.scene.image.width).step_by(side as usize) {
+    [side, coarsest]: [u32; 2],
+    band: &mut [Rgb],
+    progress: &Progress,
+) -> (usize, Tally) {
+    let (mut computed, mut tally) = (0, Tally::default());
+    let width = tracer.scene.image.width;
+    for x in (0..width).step_by(side as usize) {
         if progress.cancelled() {
             break;
         }
         let known = side < coarsest && x.is_multiple_of(2 * side) && y.is_multiple_of(2 * side);
         if !known {
-            row.pixels.push((x, trace_pixel_with(tracer, x, y, &mut row.tally)));
+            let colour = trace_pixel_with(tracer, x, y, &mut tally);
+            let block = x as usize..x.saturating_add(side).min(width) as usize;
+            band.chunks_mut(width as usize).for_each(|line| line[block.clone()].fill(colour));
+            computed += 1;
             progress.done.fetch_add(1, Ordering::Relaxed);
         }
     }
-    row
+    (computed, tally)
 }
 
 /// Linear RGB, clamped to [0, 1], as sRGB bytes (IEC 61966-2-1).
