@@ -33,7 +33,7 @@ pub enum Target {
     /// A primitive in its generic coordinates.
     Shape(Shape),
     /// Placed primitives, combined.
-    Solid(Solid),
+    Solid(Box<Solid>),
 }
 
 impl Target {
@@ -135,7 +135,7 @@ impl Reader<'_> {
 
     fn target(&mut self, case: &Value) -> Result<Target, String> {
         match case.get("tree") {
-            Some(tree) => self.solid(tree).map(Target::Solid),
+            Some(tree) => self.solid(tree).map(|solid| Target::Solid(Box::new(solid))),
             None => self.shape(self.file, &case["parameters"]).map(Target::Shape),
         }
     }

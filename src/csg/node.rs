@@ -73,7 +73,7 @@ fn is_worthwhile(ball: &Ball, extent: &Extent) -> bool {
 /// A node of the Boolean tree, with the extent that holds it.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Node {
-    /// A leaf: an index into [`Solid::leaves`].
+    /// A leaf: an index into [`Solid::leaves`](super::Solid::leaves).
     Leaf {
         /// The index.
         leaf: usize,
@@ -86,7 +86,7 @@ pub enum Node {
         name: String,
         /// OP.
         operator: Operator,
-        /// The left solid: an index into [`Solid::nodes`].
+        /// The left solid: an index into [`Solid::nodes`](super::Solid::nodes).
         left: usize,
         /// The right solid, likewise.
         right: usize,

@@ -18,7 +18,7 @@ pub struct Solid {
     pub leaves: SmallVec<[Leaf; 1]>,
     /// The tree over them, operands before what they are combined to; the root is the last.
     pub nodes: SmallVec<[Node; 1]>,
-    /// The largest [`Placement::skew`] of the primitives.
+    /// The largest [`Placement::skew`](super::Placement::skew) of the primitives.
     pub skew: f64,
     convex: bool,
 }

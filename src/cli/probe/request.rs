@@ -9,7 +9,7 @@ use serde_json::{Map, Value};
 #[derive(Debug)]
 pub enum Request {
     /// All hits of a ray with a solid.
-    Hits { solid: Solid, origin: DVec3, direction: DVec3, arithmetic: Arithmetic },
+    Hits { solid: Box<Solid>, origin: DVec3, direction: DVec3, arithmetic: Arithmetic },
     /// What an interface does to a ray.
     Interface { direction: DVec3, normal: DVec3, n1: f64, n2: f64 },
 }
@@ -41,7 +41,7 @@ impl Request {
         let ray = object(request.get("ray").ok_or("`ray` is missing")?, "ray")?;
         check_names(ray, &["origin", "direction"], "ray.")?;
         Ok(Self::Hits {
-            solid: compile_solid(solid).map_err(|problem| format!("solid: {problem}"))?,
+            solid: compile_solid(solid).map(Box::new).map_err(|problem| format!("solid: {problem}"))?,
             origin: triple(ray, "origin", "ray.")?,
             direction: some_length(ray, "direction", "ray.")?,
             arithmetic: arithmetic(request.get("arithmetic"))?,
