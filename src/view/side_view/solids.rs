@@ -100,11 +100,14 @@ impl SideView<'_> {
         let is_object = |id: &EventId| matches!(self.tree.event(*id).what, What::Object { .. });
         let Some(object) = self.tree.path(self.step).into_iter().rev().find(is_object) else { return };
         for id in object..=self.step {
-            let (of, mut points) = match &self.tree.event(id).what {
+            let (name, mut points) = match &self.tree.event(id).what {
                 What::Extent { of, low, high, .. } => {
-                    (of, self.box_section(DVec3::from_array(*low), DVec3::from_array(*high)))
+                    let section = self.box_section(DVec3::from_array(*low), DVec3::from_array(*high));
+                    (format!("extent of {of}"), section)
                 }
-                What::Ball { of, centre, radius, .. } => (of, self.ball_section(DVec3::from_array(*centre), *radius)),
+                What::Ball { of, centre, radius, .. } => {
+                    (format!("ball around {of}"), self.ball_section(DVec3::from_array(*centre), *radius))
+                }
                 _ => continue,
             };
             if points.len() < 3 {
@@ -116,7 +119,7 @@ impl SideView<'_> {
             let (colour, width) = if is_current { (self.palette.ink, 2.0) } else { (self.palette.extent, 1.2) };
             self.drawing.put(Form::Line { points, stroke: Stroke::dashed(colour, width, [5.0, 4.0]) }, id);
             if let (true, Some(corner)) = (is_current, corner) {
-                let label = Label::new(format!("extent of {of}"), SMALL, colour).of(id);
+                let label = Label::new(name, SMALL, colour).of(id);
                 self.label_later(corner, 4.0, label);
             }
         }
