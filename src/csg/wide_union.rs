@@ -24,8 +24,10 @@ impl WideUnion {
     /// The unions of many in a tree, each with its topmost node.
     #[must_use]
     pub fn all_in(nodes: &[Node]) -> Vec<(usize, Self)> {
-        let is_continued = |index: usize| nodes.iter().any(|node| union(node).is_some_and(|[left, _]| left == index));
-        let tops = (0..nodes.len()).filter(|&index| union(&nodes[index]).is_some() && !is_continued(index));
+        // A union that is the left side of another one is a part of that one's chain.
+        let mut is_continued = vec![false; nodes.len()];
+        nodes.iter().filter_map(union).for_each(|[left, _]| is_continued[left] = true);
+        let tops = (0..nodes.len()).filter(|&index| union(&nodes[index]).is_some() && !is_continued[index]);
         let with_operands = tops.map(|top| (top, operands(nodes, top)));
         with_operands.filter(|(_, all)| all.len() >= WIDE).map(|(top, all)| (top, Self::new(nodes, all))).collect()
     }
