@@ -10,14 +10,18 @@ const LAYERS: &[(&str, &[&str])] = &[
     ("math", &["record"]),
     ("shape", &["record", "math"]),
     ("optics", &["record", "math"]),
+    ("texture", &["record", "math"]),
     ("csg", &["record", "math", "shape"]),
-    ("scene", &["record", "math", "shape", "csg", "optics"]),
-    ("trace", &["record", "math", "shape", "csg", "optics", "scene"]),
-    ("view", &["record", "math", "shape", "csg", "optics", "scene", "trace"]),
-    ("accuracy", &["record", "math", "shape", "csg", "optics", "scene", "trace", "view"]),
+    ("scene", &["record", "math", "shape", "csg", "optics", "texture"]),
+    ("trace", &["record", "math", "shape", "csg", "optics", "texture", "scene"]),
+    ("view", &["record", "math", "shape", "csg", "optics", "texture", "scene", "trace"]),
+    ("accuracy", &["record", "math", "shape", "csg", "optics", "texture", "scene", "trace", "view"]),
     ("peer", &["record", "shape", "csg", "scene"]),
-    ("cli", &["record", "math", "shape", "csg", "optics", "scene", "trace", "view", "accuracy", "peer", "app"]),
-    ("app", &["record", "math", "shape", "csg", "optics", "scene", "trace", "view"]),
+    (
+        "cli",
+        &["record", "math", "shape", "csg", "optics", "texture", "scene", "trace", "view", "accuracy", "peer", "app"],
+    ),
+    ("app", &["record", "math", "shape", "csg", "optics", "texture", "scene", "trace", "view"]),
 ];
 
 /// Crates that only some places may use, and those places.

@@ -7,6 +7,7 @@ mod event;
 mod numbers;
 mod parts;
 mod recorder;
+mod surface;
 mod what;
 mod working;
 
@@ -17,5 +18,9 @@ pub use parts::{
     Tier,
 };
 pub use recorder::{Counter, NullRecorder, Recorder};
+pub use surface::{
+    Bump, Detail, Environment, FrameMap, Lattice, LatticeCorner, Mapping, Octave, Octaves, Rings, Stop, TexelShare,
+    Texels, Texture, Undulate,
+};
 pub use what::What;
 pub use working::{Accuracy, Measured, Outcome, Value, Working, format_number};

@@ -1,5 +1,8 @@
 //! What can happen to a ray, one variant each.
 
+use super::surface::{
+    Bump, Detail, Environment, FrameMap, Lattice, Mapping, Octaves, Rings, Texels, Texture, Undulate,
+};
 use super::{Candidate, Certificate, Operator, PlaneRow, RayKind, Sense, SignSpan, Span, Tier, Triple};
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -264,6 +267,28 @@ pub enum What {
         /// The background's colour.
         background: Triple,
     },
+    /// A polygon on a face takes precedence over the face.
+    Detail(Detail),
+    /// The colour of a textured surface.
+    Texture(Texture),
+    /// From the surface to a place in an image.
+    Mapping(Mapping),
+    /// The texels that are averaged.
+    Texels(Texels),
+    /// Noise from the corners of a lattice cell.
+    Lattice(Lattice),
+    /// Turbulence: noise of several sizes added up.
+    Octaves(Octaves),
+    /// A colour from a spline.
+    Undulate(Undulate),
+    /// The ring of a log.
+    Rings(Rings),
+    /// A normal that is perturbed.
+    Bump(Bump),
+    /// A frame that is perturbed.
+    FrameMap(FrameMap),
+    /// A look-up in the environment.
+    Environment(Environment),
     /// The ambient term.
     Ambient {
         /// Its colour.

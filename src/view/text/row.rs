@@ -50,6 +50,17 @@ fn icon(what: &What) -> &'static str {
         What::Rejected { .. } => "✗",
         What::Hit { .. } => "✓",
         What::Nothing { .. } => "∅",
+        What::Detail(_) => "▱",
+        What::Texture(_) => "▦",
+        What::Mapping(_) => "⌗",
+        What::Texels(_) => "▩",
+        What::Lattice(_) => "⋰",
+        What::Octaves(_) => "∿",
+        What::Undulate(_) => "∽",
+        What::Rings(_) => "◎",
+        What::Bump(_) => "⌒",
+        What::FrameMap(_) => "⊥",
+        What::Environment(_) => "◍",
         What::Ambient { .. } => "◌",
         What::Light { .. } => "☼",
         What::Shadow { .. } => "◐",
@@ -103,6 +114,17 @@ fn label(what: &What) -> String {
         What::Rejected { object, leaf, part, .. } => format!("not {}", surface(object, leaf, part)),
         What::Hit { object, leaf, part, .. } => format!("hit {}", surface(object, leaf, part)),
         What::Nothing { .. } => "nothing in front: the background".to_owned(),
+        What::Detail(_)
+        | What::Texture(_)
+        | What::Mapping(_)
+        | What::Texels(_)
+        | What::Lattice(_)
+        | What::Octaves(_)
+        | What::Undulate(_)
+        | What::Rings(_)
+        | What::Bump(_)
+        | What::FrameMap(_)
+        | What::Environment(_) => String::new(),
         What::Ambient { .. } => "ambient term".to_owned(),
         What::Light { name, arriving, .. } if *arriving == [0.0; 3] => format!("light {name}: none arrives"),
         What::Light { name, .. } => format!("light {name}: diffuse and specular terms"),
@@ -165,7 +187,7 @@ fn numbers(event: &Event) -> String {
         What::Limit { at, value, .. } => format!("{} met {}", number_list(&[*value]), number_list(&[*at])),
         What::Colour { total, .. } => brief_vector(*total),
         What::Written { srgb: [r, g, b], .. } => format!("sRGB {r}, {g}, {b}"),
-        What::Object { .. } | What::Extent { .. } | What::Primitive { .. } | What::Medium { .. } => String::new(),
+        _ => String::new(),
     }
 }
 

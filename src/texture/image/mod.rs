@@ -1,0 +1,1 @@
+//! Image textures and environments.

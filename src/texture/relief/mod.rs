@@ -1,0 +1,1 @@
+//! Bumps, frames and facets: what turns a normal without moving the surface.
