@@ -1,5 +1,11 @@
 //! Environments against what can be known of them: constant and linear ones by their integrals, all others by many rays.
 
+#![expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "numbers of faces and shades of grey, all small"
+)]
+
 mod formula;
 
 use formula::evaluate;
@@ -58,7 +64,7 @@ fn rays(corners: [DVec3; 4], count: u32) -> Vec<(DVec3, f64)> {
 /// The mean over a footprint by many rays, and its solid angle.
 fn mean(corners: [DVec3; 4], colour: impl Fn(DVec3) -> DVec3) -> (DVec3, f64) {
     let (mut sum, mut whole) = (DVec3::ZERO, 0.0);
-    for (direction, weight) in rays(corners, 1 << 15) {
+    for (direction, weight) in rays(corners, 1 << 14) {
         sum += colour(direction) * weight;
         whole += weight;
     }
@@ -160,6 +166,27 @@ fn each_footprint_is_the_mean_of_many_rays() {
     assert!(of_nearest > 100.0);
 }
 
+/// Where the image shows what lies in a direction, the other way round: the unit direction of a place in texels; none off the cross.
+fn look(layout: Layout, [width, height]: [u32; 2], [x, y]: [f64; 2]) -> Option<DVec3> {
+    if layout == Layout::LatitudeLongitude {
+        let (azimuth, polar) = (PI - 2.0 * PI * x / f64::from(width), PI * y / f64::from(height));
+        return Some(DVec3::new(polar.sin() * azimuth.cos(), polar.sin() * azimuth.sin(), polar.cos()));
+    }
+    let n = f64::from(width.min(height) / 3);
+    let (a, b) = (2.0 * (x / n).fract() - 1.0, 2.0 * (y / n).fract() - 1.0);
+    let direction = match ((x / n).floor() as u8, (y / n).floor() as u8) {
+        (1, 0) => DVec3::new(b, -a, 1.0),
+        (0, 1) => DVec3::new(a, 1.0, -b),
+        (1, 1) => DVec3::new(1.0, -a, -b),
+        (2, 1) => DVec3::new(-a, -1.0, -b),
+        (3, 1) => DVec3::new(-1.0, a, -b),
+        (1, 2) => DVec3::new(-b, -a, -1.0),
+        (1, 3) => DVec3::new(-1.0, -a, b),
+        _ => return None,
+    };
+    Some(direction.normalize())
+}
+
 /// Colours that are linear in the direction average to the mean direction: ∮ ½ p × dp over the outline, by Stokes' theorem, which
 /// for a great circle from a to b is ½ angle(a, b) · unit(a × b).
 #[test]
@@ -167,26 +194,13 @@ fn an_environment_linear_in_the_direction_gives_the_mean_direction() {
     for (layout, size) in
         [(Layout::LatitudeLongitude, [1024, 512]), (Layout::Cross, [768, 576]), (Layout::Cross, [576, 768])]
     {
-        let plain = environment((layout, size), |_, _| [0.0; 3]);
-        // Where each texel looks, found by asking many directions which texel they meet.
-        let mut sums = vec![(DVec3::ZERO, 0.0); (size[0] * size[1]) as usize];
-        for i in 0..4_000_000_u32 {
-            let z = 2.0 * (0.5 + 0.754_877_666_246_693 * f64::from(i)).fract() - 1.0;
-            let turn = 2.0 * PI * (0.5 + 0.569_840_290_998_053 * f64::from(i)).fract();
-            let flat = (1.0 - z * z).sqrt();
-            let direction = DVec3::new(flat * turn.cos(), flat * turn.sin(), z);
-            let [x, y] = plain.at(direction);
-            let sum = &mut sums[y.floor() as usize * size[0] as usize + x.floor() as usize];
-            sum.0 += direction;
-            sum.1 += 1.0;
-        }
         let linear = environment((layout, size), |x, y| {
-            let (sum, count) = sums[(y * size[0] + x) as usize];
-            (if count > 0.0 { 0.5 + sum / count * 0.5 } else { DVec3::splat(0.5) }).as_vec3().to_array()
+            let looks = look(layout, size, [f64::from(x) + 0.5, f64::from(y) + 0.5]);
+            (0.5 + looks.unwrap_or_default() * 0.5).as_vec3().to_array()
         });
         for (i, middle) in places().into_iter().enumerate() {
             for size in &SIZES[2..] {
-                let corners = footprint(middle, f64::from(i as u8), *size).map(DVec3::normalize);
+                let corners = footprint(middle, i as f64, *size).map(DVec3::normalize);
                 let side = |i: usize| {
                     let normal = corners[i].cross(corners[(i + 1) % 4]);
                     normal.normalize() * normal.length().atan2(corners[i].dot(corners[(i + 1) % 4])) / 2.0

@@ -16,7 +16,7 @@ mod sphere;
 
 use super::sum::Sum;
 use super::texels::Texels;
-use super::wrap::{Wrap, Wraps, cell};
+use super::wrap::{Wrap, Wraps};
 use crate::record::{self, Entry, Recorder, What};
 use chart::{Chart, Region};
 use cross::Face;
@@ -147,7 +147,7 @@ impl Environment {
     /// The chart that a unit direction lies on, and where.
     fn locate(&self, own: DVec3) -> (&Chart, DVec2) {
         match &self.faces {
-            None => (&self.charts[0], latitude_longitude::place(own, 0.5)),
+            None => (&self.charts[0], latitude_longitude::place(own)),
             Some(faces) => {
                 let met = cross::met(faces, own);
                 (&self.charts[met], faces[met].project(own))
@@ -218,7 +218,7 @@ impl Environment {
             None => {
                 let [a, b, c, d] = *corners;
                 let size = sphere::solid_angle([a, b, c]).abs() + sphere::solid_angle([a, c, d]).abs();
-                (0, latitude_longitude::outline(corners, latitude_longitude::place(own, 0.5).x, size / 1000.0))
+                (0, latitude_longitude::outline(corners, latitude_longitude::place(own).x, size / 1000.0))
             }
             Some(faces) => {
                 let met = cross::met(faces, own);
@@ -233,7 +233,7 @@ impl Environment {
         let [width, height] = self.texels.size().map(f64::from);
         let Some(faces) = &self.faces else {
             let bindings = [
-                ("φ", own.y.atan2(own.x).to_degrees().into()),
+                ("φ", latitude_longitude::longitude(own).to_degrees().into()),
                 ("d_z", own.z.into()),
                 ("W", width.into()),
                 ("H", height.into()),
