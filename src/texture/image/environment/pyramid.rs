@@ -18,7 +18,7 @@ pub(super) fn halved(texels: &Texels, charts: &[Chart]) -> Option<Level> {
     if first.count(0) == 1 && first.count(1) == 1 {
         return None;
     }
-    let smaller: Vec<_> = charts.iter().map(|chart| chart.halved()).collect();
+    let smaller: Vec<_> = charts.iter().map(Chart::halved).collect();
     let size = [0, 1].map(|axis| texels.size()[axis] / first.count(axis) * smaller[0].count(axis));
     let mut data = vec![[0.0_f32; 3]; size[0] as usize * size[1] as usize];
     for (from, to) in charts.iter().zip(&smaller) {
