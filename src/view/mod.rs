@@ -15,6 +15,8 @@ mod paint;
 mod palette;
 #[cfg(test)]
 mod sample;
+#[cfg(test)]
+mod sample_texture;
 mod side_view;
 mod sign_plot;
 mod svg;
