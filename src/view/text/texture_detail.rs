@@ -46,7 +46,11 @@ pub(super) fn explain_texture(what: &What) -> Option<&'static str> {
             "(u, v) says where on its surface the hit lies, and M_T⁻¹ says which place of the image that is. The \
              picture asks the image and not the other way round, so that no pixel is left out and none is met twice."
         }
-        What::Texels(Texels { texels, left_out: 0, .. }) if texels.len() < 2 => {
+        What::Texels(Texels { texels, .. }) if texels.is_empty() => {
+            "The pixel is as large as the texels of a level between two of the pyramid. Both are looked up, and the \
+             nearer a level, the more it counts."
+        }
+        What::Texels(Texels { texels, left_out: 0, .. }) if texels.len() == 1 => {
             "The nearest texel alone gives the colour. Where many texels fall on one pixel, all the others go unseen."
         }
         What::Texels(_) => {
@@ -111,14 +115,12 @@ fn mapping_lines(mapping: &Mapping) -> Vec<DetailLine> {
         table(title, headers, names.into_iter().zip(rows).map(row).collect())
     };
     let [columns, rows] = mapping.size;
-    let texel = [mapping.st[0] * f64::from(columns), (1.0 - mapping.st[1]) * f64::from(rows)];
     let mut lines = vec![
         matrix("M_T, from the image to the surface", vec!["M_T", "s", "t", "1"], ["u", "v"], &mapping.uv_from_st),
         matrix("M_T⁻¹, from the surface to the image", vec!["M_T⁻¹", "u", "v", "1"], ["s", "t"], &mapping.st_from_uv),
         pair("u, v", place(mapping.uv)),
         pair("s, t", place(mapping.st)),
         pair("image", format!("{columns} × {rows} texels")),
-        pair("place in texels, from the top left", place(texel)),
     ];
     if !mapping.footprint.is_empty() {
         let headers = vec!["corner of the pixel", "column", "row"];
@@ -138,8 +140,11 @@ fn texel_lines(texels: &Texels) -> Vec<DetailLine> {
         let [r, g, b] = share.colour.map(format_number);
         vec![column, row, format_number(share.weight), r, g, b]
     };
-    let headers = vec!["column", "row", "weight", "red", "green", "blue"];
-    let mut lines = vec![table("texels", headers, texels.texels.iter().map(row).collect())];
+    let mut lines = Vec::new();
+    if !texels.texels.is_empty() {
+        let headers = vec!["column", "row", "weight", "red", "green", "blue"];
+        lines.push(table("texels", headers, texels.texels.iter().map(row).collect()));
+    }
     if texels.left_out > 0 {
         lines.push(pair("not listed", format!("{} more, with smaller weights", texels.left_out)));
     }

@@ -26,6 +26,9 @@ pub(super) fn mapping_numbers(mapping: &Mapping) -> String {
 }
 
 pub(super) fn texels_label(texels: &Texels) -> String {
+    if texels.texels.is_empty() {
+        return format!("between two levels of the pyramid, filter {}", spoken(&texels.filter));
+    }
     format!("{} of the image, filter {}", count(texels.texels.len() + texels.left_out, "texel"), spoken(&texels.filter))
 }
 

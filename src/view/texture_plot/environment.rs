@@ -7,12 +7,14 @@ use crate::view::text::{brief, brief_vector, solid_angle};
 use crate::view::{Anchor, Form, Frame, Spot, Stroke};
 
 pub(super) fn draw(sheet: &mut Sheet, environment: &Environment) {
-    let mut note = format!("The direction {} points at texel ", brief_vector(environment.direction));
-    note += &format!("({}, {})", brief(environment.at[0].floor()), brief(environment.at[1].floor()));
-    if !environment.footprint.is_empty() {
-        note += &format!(". The pixel covers {}", solid_angle(environment.solid_angle));
-    }
-    let room = sheet.caption("The environment", &(note + "."));
+    let covers = match environment.footprint.as_slice() {
+        [] => String::new(),
+        _ => format!(" The pixel covers {}.", solid_angle(environment.solid_angle)),
+    };
+    let [column, row] = environment.at.map(|at| brief(at.floor()));
+    let direction = brief_vector(environment.direction);
+    let note = format!("The direction {direction} points at texel ({column}, {row}).{covers}");
+    let room = sheet.caption("The environment", &note);
     let (mut room, below) = sheet.facts(room, &facts(sheet, environment));
     if let Some(below) = below.filter(|_| !environment.footprint.is_empty()) {
         compare(sheet, environment, below);

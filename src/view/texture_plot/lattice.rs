@@ -147,17 +147,17 @@ fn fade(sheet: &mut Sheet, lattice: &Lattice, room: Frame) {
     let points: Vec<Spot> = (0..=40).map(|i| f64::from(i) / 40.0).map(|x| chart.at([x, curve(x)])).collect();
     sheet.placer.avoid_outline(&points);
     sheet.line(&frame, &points, Stroke::solid(sheet.palette.combined, 2.0));
-    let mut marked: Vec<(Spot, String)> = Vec::new();
+    let mut marked: Vec<(Spot, Vec<&str>)> = Vec::new();
     for (name, (x, y)) in ["x", "y", "z"].iter().zip(lattice.offset.into_iter().zip(lattice.fade)) {
         let at = chart.at([x, y]);
         match marked.iter_mut().find(|(known, _)| *known == at) {
-            Some((_, names)) => *names += &format!(", {name}"),
-            None => marked.push((at, (*name).to_owned())),
+            Some((_, names)) => names.push(name),
+            None => marked.push((at, vec![name])),
         }
     }
     for (at, names) in marked.into_iter().filter(|(at, _)| frame.grown(1.0).contains(*at)) {
         sheet.mark(&frame, at, 3.5, sheet.palette.ink);
-        sheet.write_near(&names, at, 6.0, sheet.palette.ink);
+        sheet.write_near(&names.join(", "), at, 6.0, sheet.palette.ink);
     }
     sheet.axes(&chart, ["", "fade"], false);
 }

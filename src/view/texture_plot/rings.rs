@@ -10,7 +10,7 @@ use crate::view::{Colour, Spot, Stroke};
 const WHOLE: f64 = 8.0;
 
 /// Dark and light wood, on paper of any colour.
-const WOOD: [Colour; 2] = [Colour::hex(0xa8_6c_32), Colour::hex(0xe8_c9_98)];
+const WOOD: [Colour; 2] = [Colour::hex(0xa8_6c_30), Colour::hex(0xe8_c9_98)];
 
 pub(super) fn draw(sheet: &mut Sheet, rings: &Rings, point: Option<Triple>) {
     let shade = if rings.dark { "dark" } else { "light" };

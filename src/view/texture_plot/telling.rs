@@ -72,39 +72,45 @@ pub(super) struct Footprint<'a> {
     pub texels: Option<(EventId, &'a Texels)>,
 }
 
-/// The mapping and the texels that belong together, one of which is `id`: one below the other, or beside it.
+/// The mapping and the texels that belong together, one of which is `id`. The texels come after the mapping or below it; a
+/// look-up between two levels of the pyramid has its texels in two events below it.
 pub(super) fn footprint_of(tree: &RayTree, id: EventId) -> Footprint<'_> {
     let mut footprint = Footprint::default();
     match &tree.event(id).what {
         What::Mapping(mapping) => {
             footprint.mapping = Some((id, mapping));
             let end = tree.event(id).parent.map_or(tree.end(), |parent| tree.subtree_end(parent));
-            let after = (id + 1..end).map(|id| (id, &tree.event(id).what));
-            let mut before_next = after.take_while(|(_, what)| !matches!(what, What::Mapping(_)));
-            footprint.texels = before_next.find_map(|(id, what)| texels(what).map(|texels| (id, texels)));
+            footprint.texels = texels_in(tree, id + 1, end);
         }
-        what => {
-            footprint.texels = texels(what).map(|texels| (id, texels));
-            let above = tree.path(id).into_iter().rev().skip(1);
-            let beside = tree.event(id).parent.into_iter().flat_map(|parent| (parent + 1..id).rev());
-            for id in above.take(1).chain(beside) {
-                match &tree.event(id).what {
-                    What::Mapping(mapping) => footprint.mapping = Some((id, mapping)),
-                    What::Environment(environment) => footprint.environment = Some(environment),
-                    _ => continue,
-                }
-                break;
+        What::Texels(own) => {
+            footprint.texels = texels_in(tree, id, tree.subtree_end(id)).or(Some((id, own)));
+            let is_texels = |id: &EventId| matches!(tree.event(*id).what, What::Texels(_));
+            let mut above = tree.path(id).into_iter().rev().skip_while(is_texels);
+            let parent = above.next();
+            let before = parent.into_iter().flat_map(|parent| (parent..id).rev());
+            let place = before.map(|id| tree.event(id)).find(|event| {
+                let is_beside = event.parent == parent || Some(event.id) == parent;
+                is_beside && matches!(event.what, What::Mapping(_) | What::Environment(_))
+            });
+            match place.map(|event| (event.id, &event.what)) {
+                Some((id, What::Mapping(mapping))) => footprint.mapping = Some((id, mapping)),
+                Some((_, What::Environment(environment))) => footprint.environment = Some(environment),
+                _ => {}
             }
         }
+        _ => {}
     }
     footprint
 }
 
-const fn texels(what: &What) -> Option<&Texels> {
-    match what {
-        What::Texels(texels) => Some(texels),
+/// The first of these events that lists texels, before another mapping.
+fn texels_in(tree: &RayTree, first: EventId, end: EventId) -> Option<(EventId, &Texels)> {
+    let all = (first..end).map(|id| (id, &tree.event(id).what));
+    let mut before_next = all.take_while(|(_, what)| !matches!(what, What::Mapping(_)));
+    before_next.find_map(|(id, what)| match what {
+        What::Texels(texels) if !texels.texels.is_empty() => Some((id, texels)),
         _ => None,
-    }
+    })
 }
 
 /// The point in the space of the texture that an event is a part of.

@@ -218,6 +218,31 @@ fn texels_are_filled_with_their_colours_and_stand_for_their_event() {
 }
 
 #[test]
+fn a_look_up_between_two_levels_shows_the_finer_ones_texels_on_its_own_grid() {
+    let texels = |level, texels: Vec<_>| crate::record::Texels { level, texels, ..sample::texels() };
+    let share = |at| crate::record::TexelShare { at, weight: 1.0, colour: [0.5; 3] };
+    let mut sketch = Sketch::new();
+    sketch.with(What::Step { number: 5, title: String::new() }, |s| {
+        s.note(What::Mapping(crate::record::Mapping { size: [5, 4], footprint: Vec::new(), ..sample::mapping() }));
+        s.with(What::Texels(texels(1.5, Vec::new())), |s| {
+            s.note(What::Texels(texels(1.0, vec![share([1, 1])])));
+            s.note(What::Texels(texels(2.0, vec![share([0, 0])])));
+        });
+    });
+    let tree = sketch.finish();
+    for (selected, shown) in [(1, 3), (2, 3), (3, 3), (4, 4)] {
+        let footprint = footprint_of(&tree, selected);
+        assert_eq!(footprint.texels.map(|(id, _)| id), Some(shown), "for {selected}");
+        assert_eq!(footprint.mapping.map(|(id, _)| id), Some(1), "for {selected}");
+    }
+    // Half of 5 columns are 3, half of those 2.
+    for (selected, size) in [(3, "3 × 2 texels on level 1"), (4, "2 × 1 texels on level 2")] {
+        let drawing = texture_plot(&tree, selected, SIZE, Theme::Light).unwrap();
+        assert!(drawing.texts().any(|text| text.text.contains(size)), "{}", drawing.to_text());
+    }
+}
+
+#[test]
 fn the_bars_of_the_octaves_are_as_high_as_their_terms() {
     let drawing = drawn(What::Octaves(sample::octaves()));
     let palette = Theme::Light.palette();

@@ -21,7 +21,7 @@ struct Grid {
 
 pub(super) fn draw(sheet: &mut Sheet, footprint: &Footprint) {
     let level = footprint.texels.map_or(0.0, |(_, texels)| texels.level).floor().clamp(0.0, 60.0);
-    let grid = grid(footprint, (-level).exp2());
+    let grid = grid(footprint, level);
     let room = sheet.caption("The pixel on the texels of the image", &note(footprint, &grid, level));
     let facts = facts(sheet, footprint, &grid);
     let (room, _) = sheet.facts(room, &facts);
@@ -51,12 +51,16 @@ pub(super) fn draw(sheet: &mut Sheet, footprint: &Footprint) {
     sheet.axes(&chart, ["column", "row"], true);
 }
 
-fn grid(footprint: &Footprint, scale: f64) -> Grid {
-    let scaled = |point: Spot| point.map(|x| x * scale);
-    let from = |size: [u32; 2], hit: Spot, corners: &[Spot]| Grid {
-        hit: Some(scaled(hit)),
-        footprint: corners.iter().map(|&corner| scaled(corner)).collect(),
-        size: Some(scaled(size.map(f64::from))),
+fn grid(footprint: &Footprint, level: f64) -> Grid {
+    let from = |size: [u32; 2], hit: Spot, corners: &[Spot]| {
+        let size = size.map(|texels| texels.max(1));
+        let own = size.map(|texels| on_level(texels, level));
+        let scaled = |point: Spot| std::array::from_fn(|i| point[i] * own[i] / f64::from(size[i]));
+        Grid {
+            hit: Some(scaled(hit)),
+            footprint: corners.iter().map(|&corner| scaled(corner)).collect(),
+            size: Some(own),
+        }
     };
     if let Some((_, mapping)) = footprint.mapping {
         let [columns, rows] = mapping.size.map(f64::from);
@@ -69,16 +73,19 @@ fn grid(footprint: &Footprint, scale: f64) -> Grid {
     }
 }
 
+/// How many columns or rows a level of the pyramid has: half as many as the one before, rounded up.
+fn on_level(texels: u32, level: f64) -> f64 {
+    f64::from((0_u32..32).take_while(|&k| f64::from(k) < level).fold(texels, |texels, _| texels.div_ceil(2)))
+}
+
 fn note(footprint: &Footprint, grid: &Grid, level: f64) -> String {
-    let mut note = footprint
+    let place = footprint
         .mapping
         .map(|(_, mapping)| format!("(u, v) = {} is (s, t) = {}. ", place(mapping.uv), place(mapping.st)))
         .unwrap_or_default();
-    if let Some([columns, rows]) = grid.size {
-        note += &format!("The image has {} × {} texels", brief(columns), brief(rows));
-        note += &if level > 0.0 { format!(" on level {level} of the pyramid.") } else { ".".to_owned() };
-    }
-    note
+    let on = if level > 0.0 { format!(" on level {level} of the pyramid") } else { String::new() };
+    let size = grid.size.map(|size| format!("The image has {} × {} texels{on}.", brief(size[0]), brief(size[1])));
+    place + &size.unwrap_or_default()
 }
 
 fn facts(sheet: &Sheet, footprint: &Footprint, grid: &Grid) -> Vec<Fact> {
