@@ -12,12 +12,14 @@ pub(super) fn telling(tree: &RayTree, selected: EventId) -> Option<EventId> {
     if rank(what).is_some() {
         return Some(selected);
     }
-    let end = match what {
-        What::Hit { .. } => tree.subtree_end(ray_above(tree, selected)),
-        What::Texture(_) | What::Step { .. } | What::Ray { .. } | What::Nothing { .. } => tree.subtree_end(selected),
-        _ => return None,
-    };
-    best(tree, selected, end)
+    let ray = ray_above(tree, selected);
+    match what {
+        What::Hit { .. } => best(tree, selected, tree.subtree_end(ray)),
+        // A ray that meets nothing looks at the environment at most.
+        What::Nothing { .. } => best(tree, ray, tree.subtree_end(ray)),
+        What::Texture(_) | What::Step { .. } | What::Ray { .. } => best(tree, selected, tree.subtree_end(selected)),
+        _ => None,
+    }
 }
 
 /// The best of the events after `first`, on the same ray, up to the next hit.

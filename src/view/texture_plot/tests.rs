@@ -175,6 +175,8 @@ fn a_texture_shows_what_gave_its_colour_and_a_hit_its_texture() {
             _ => assert!(matches!(shown, What::Rings(_))),
         }
     }
+    let environment = find(|what| matches!(what, What::Environment(_)));
+    assert_eq!(telling(&tree, find(|what| matches!(what, What::Nothing { .. }))), Some(environment));
     assert_eq!(telling(&tree, find(|what| matches!(what, What::Quadratic { .. }))), None);
     assert_eq!(texture_plot(&tree, EventId::MAX, SIZE, Theme::Light), None);
 }
