@@ -41,6 +41,7 @@ fn the_calculator_can_calculate() {
         ("(1.5·10⁻³)", 0.0015),
         ("arccos 0.5", 60.0),
         ("max(0, −1) + 2^3", 8.0),
+        ("2 ⌊−1.5⌋ + 1", -3.0),
     ] {
         let (x, _) = evaluate(text).unwrap_or_else(|e| panic!("{text}: {e}")).0[0];
         assert!((x - value).abs() < 1e-9, "{text} gave {x}");

@@ -1,6 +1,8 @@
 //! Filters of image textures against what they are to find: the average over a pixel, found here by sending many rays
 //! through it.
 
+#![expect(clippy::cast_possible_truncation, reason = "texel numbers and shades of grey, all small")]
+
 use glam::{DVec2, DVec3};
 use rayscope::record::{Counter, Entry, NullRecorder, Recorder, What};
 use rayscope::texture::image::{Filter, ImageTexture, Mapping, Place, Texels, Wrap, Wraps};
@@ -203,7 +205,7 @@ fn ewa_sees_one_colour_where_there_is_one() {
 }
 
 /// No round weight can agree with a square about an edge that passes through it: the square's answer depends on the direction
-/// of the edge, by 5 steps either way. The Gaussian of the square's own width is off by no more than 15.
+/// of the edge, by 5 steps either way. This Gaussian is off by no more than 12.
 #[test]
 fn ewa_is_off_by_a_few_steps_at_an_edge() {
     let edge = |column: i64, _| f64::from(u8::from(column.rem_euclid(64) >= 32));
@@ -217,7 +219,7 @@ fn ewa_is_off_by_a_few_steps_at_an_edge() {
         }
     }
     println!("ewa at an edge: max {worst:.2} steps");
-    assert!((5.0..15.0).contains(&worst), "{worst}");
+    assert!((5.0..12.5).contains(&worst), "{worst}");
 }
 
 /// Hundreds of thousands of texels to a pixel: levels of the pyramid stand in for the image.
@@ -255,7 +257,7 @@ fn a_report_holds_the_largest_shares_and_they_add_up() {
             if texels.left_out == 0 {
                 assert!((sum - 1.0).abs() < 1e-12 && (value - colour.x).abs() < 1e-12, "{sum}, {value}");
             } else {
-                assert!(sum < 1.0 && value <= colour.x);
+                assert!(sum < 1.0 + 1e-12 && value < colour.x + 1e-12);
             }
         }
     }
@@ -324,7 +326,7 @@ fn a_folded_footprint_counts_both_of_its_halves() {
     assert!((at(0.0) - 1.0).abs() < 1e-12 && at(0.5).abs() < 1e-12);
     // The edge at 0.5 passes the middle corner: of the half to the right, (0.1, 0.1)–(0.4, 0.1)–(0.2, 0.2), a third lies
     // left of its corner; all of the other half is there.
-    assert!((at(0.3) - (1.0 / 3.0 + 1.0) / 2.0).abs() < 1e-12, "{}", at(0.3));
+    assert!((at(0.3) - 2.0 / 3.0).abs() < 1e-12, "{}", at(0.3));
 }
 
 #[test]

@@ -14,7 +14,7 @@ mod wide_map;
 
 pub use alone::Alone;
 pub use double_double::DoubleDouble;
-pub use elementary::{exp, ln};
+pub use elementary::{exp, ln, sine_cosine};
 pub use lane_map::{LaneMap, Lanes, coordinates};
 pub use pair::Pair;
 pub use quadratic::Quadratic;

@@ -11,6 +11,7 @@ mod file;
 mod lenient;
 mod model;
 mod object_index;
+mod pictures;
 mod problem;
 mod projection;
 mod rules;
@@ -30,6 +31,7 @@ pub use file::{
 pub use lenient::Lenient;
 pub use model::{Camera, Image, Light, LightKind, Limits, Material, MediaPolicy, Object, Rgb, Scene, Shortcuts};
 pub use object_index::ObjectIndex;
+pub use pictures::{decode, decode_heights};
 pub use projection::Projection;
 pub use sight::{Candidate, LightSight, Sight, Sights};
 pub use solid_file::{HalfSpaceFile, Scale, SolidFile, Transform};

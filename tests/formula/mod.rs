@@ -213,6 +213,9 @@ impl Reader<'_> {
             let pick = if name == "max" { f64::max } else { f64::min };
             return Ok(Bounded(vec![(parts.iter().map(|(x, _)| *x).reduce(pick).unwrap_or(f64::NAN), e)]));
         }
+        if name == "⌊" {
+            return self.floor();
+        }
         let value = self.factor()?;
         Ok(match name {
             "arccos" => angle(&value, f64::acos)?,
@@ -222,6 +225,13 @@ impl Reader<'_> {
             "sin" => value.map(|x| x.to_radians().sin(), |_| 0.0175),
             other => return Err(format!("no function `{other}`")),
         })
+    }
+
+    /// Where a rounded number may lie on either side of a whole one, so may the result.
+    fn floor(&mut self) -> Result<Bounded, String> {
+        let floors = self.sum()?.0.into_iter().map(|(x, e)| (x.floor(), (x + e).floor() - (x - e).floor()));
+        let floors = Bounded(floors.collect());
+        if self.take("⌋") { Ok(floors) } else { Err(format!("`⌋` expected before `{}`", self.rest)) }
     }
 
     fn number(&mut self) -> Result<Bounded, String> {

@@ -17,6 +17,6 @@ pub use filter::Filter;
 pub use footprint::Footprint;
 pub use homography::Homography;
 pub use mapping::{Affine, Mapping};
-pub use texels::{Encoding, Texels};
+pub use texels::{Encoding, MOST_TEXELS, Texels};
 pub use texture::{ImageTexture, Place};
 pub use wrap::{Wrap, Wraps};

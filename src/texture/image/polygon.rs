@@ -39,9 +39,9 @@ impl Polygon {
                 above.push(crossing);
             }
             if to_side < 0.0 {
-                below.push(to)
+                below.push(to);
             } else {
-                above.push(to)
+                above.push(to);
             }
             (from, from_side) = (to, to_side);
         }

@@ -17,20 +17,23 @@ pub enum Encoding {
 }
 
 impl Encoding {
+    /// The linear value of a stored one, both from 0 to 1, as it is kept in an image.
+    #[must_use]
+    pub fn linear(self, stored: f64) -> f32 {
+        let linear = match self {
+            Self::Linear => stored,
+            // IEC 61966-2-1, 5.2: the straight piece up to 0.04045, and the power above it.
+            Self::Srgb if stored <= 0.040_45 => stored / 12.92,
+            Self::Srgb => ((stored + 0.055) / 1.055).powf(2.4),
+        };
+        #[expect(clippy::cast_possible_truncation, reason = "kept with 24 bits, where files have 8 or 16")]
+        let kept = linear as f32;
+        kept
+    }
+
     /// The linear values of all bytes.
     fn table(self) -> [f32; 256] {
-        std::array::from_fn(|byte| {
-            let value = byte as f64 / 255.0;
-            let linear = match self {
-                Self::Linear => value,
-                // IEC 61966-2-1, 5.2: the straight piece up to 0.04045, and the power above it.
-                Self::Srgb if value <= 0.040_45 => value / 12.92,
-                Self::Srgb => ((value + 0.055) / 1.055).powf(2.4),
-            };
-            #[expect(clippy::cast_possible_truncation, reason = "stored with 24 bits, of which a byte needs fewer")]
-            let stored = linear as f32;
-            stored
-        })
+        std::array::from_fn(|byte| self.linear(byte as f64 / 255.0))
     }
 }
 

@@ -16,6 +16,7 @@ use crate::texture::image::homography::Homography;
 use crate::texture::image::polygon::Polygon;
 use crate::texture::image::sum::Sum;
 use crate::texture::image::wrap::cell;
+use arrayvec::ArrayVec;
 use glam::{DVec2, DVec3};
 
 /// A part of the pixel, and its map to the image.
@@ -33,21 +34,24 @@ pub(super) fn colour<R: Recorder>(ground: Ground, footprint: &Footprint, recorde
     if texels.size() == [1, 1] {
         sum.add([cell(footprint.corners[0][0]), cell(footprint.corners[0][1])], 1.0);
     } else {
-        patches(&footprint).iter().for_each(|patch| add_patch(&mut sum, patch));
+        for patch in patches(&footprint) {
+            add_patch(&mut sum, &patch);
+        }
     }
     (!sum.is_empty()).then(|| sum.finish("area", level, recorder))
 }
 
 /// The whole pixel, or its two halves.
-fn patches(footprint: &Footprint) -> Vec<Patch> {
+fn patches(footprint: &Footprint) -> ArrayVec<Patch, 2> {
     if let Some(map) = Homography::from_corners(footprint.corners) {
-        return vec![Patch { polygon: Polygon::new(&[DVec2::ZERO, DVec2::X, DVec2::ONE, DVec2::Y]), map }];
+        return std::iter::once(Patch { polygon: Polygon::new(&[DVec2::ZERO, DVec2::X, DVec2::ONE, DVec2::Y]), map })
+            .collect();
     }
     let triangle = |corners: [usize; 3]| Patch {
         polygon: Polygon::new(&[DVec2::ZERO, DVec2::X, DVec2::Y]),
         map: Homography::from_triangle(corners.map(|i| DVec2::from(footprint.corners[i]))),
     };
-    vec![triangle([0, 1, 2]), triangle([0, 2, 3])]
+    [triangle([0, 1, 2]), triangle([0, 2, 3])].into()
 }
 
 fn add_patch(sum: &mut Sum, patch: &Patch) {
