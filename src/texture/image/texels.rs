@@ -7,6 +7,13 @@ use std::sync::OnceLock;
 /// The most texels that an image may have: 64 Mi, 768 MiB as stored.
 pub const MOST_TEXELS: u64 = 64 << 20;
 
+/// The image alone counts, not whether its pyramid was asked for.
+impl PartialEq for Texels {
+    fn eq(&self, other: &Self) -> bool {
+        (self.width, self.height, &self.data) == (other.width, other.height, &other.data)
+    }
+}
+
 /// What the bytes of an image mean.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Encoding {
