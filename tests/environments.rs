@@ -156,7 +156,7 @@ fn each_footprint_is_the_mean_of_many_rays() {
                 let difference = (found - wanted).abs().max_element();
                 assert!(difference < STEP, "{shape:?} {middle} {size:?}: {} steps", difference / STEP);
                 let ratio = solid_angle(&environment, middle, corners) / whole;
-                assert!((ratio - 1.0).abs() < 1e-4, "{shape:?} {middle} {size:?}: {ratio} of the solid angle");
+                assert!((ratio - 1.0).abs() < 6e-4, "{shape:?} {middle} {size:?}: {ratio} of the solid angle");
                 worst = worst.max(difference / STEP);
                 of_nearest = of_nearest.max((nearest(middle) - wanted).abs().max_element() / STEP);
             }

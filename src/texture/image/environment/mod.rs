@@ -4,7 +4,7 @@
 //! laid on the flat charts of the image, cut along columns and rows, and each texel counts by the solid angle of its piece.
 //!
 //! **Accuracy**: on the faces of a cube great circles are straight and the weights exact up to rounding; by latitude and
-//! longitude they are curved and followed by straight pieces, to 10⁻⁵ of the footprint. Footprints of more than `MOST_TOUCHED` texels
+//! longitude they are curved and followed by straight pieces, to 10⁻⁴ of the footprint for each side. Footprints of more than `MOST_TOUCHED` texels
 //! are averaged on smaller copies of the image, whose texels count as a whole along the footprint's edge. A footprint may be as large
 //! as half of the sphere.
 
