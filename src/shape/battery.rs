@@ -104,6 +104,35 @@ proptest! {
     }
 
     #[test]
+    fn tangents_move_u_and_v_each_alone_and_lie_in_the_surface((origin, place) in rays()) {
+        const H: f64 = 1e-6;
+        for shape in all_samples() {
+            let direction = direction_to(&shape, origin, place);
+            for hit in solve::<f64>(&shape, origin, direction) {
+                let point = origin + direction * hit.t;
+                let normal = shape.normal(point, hit.part).normalize();
+                let tangents = shape.tangents(point, hit.part);
+                prop_assert!(tangents.iter().all(|tangent| tangent.is_finite()), "{shape:?} at {point}: {tangents:?}");
+                let lengths = tangents.map(DVec3::length);
+                for (k, tangent) in tangents.iter().enumerate() {
+                    prop_assert!(normal.dot(*tangent).abs() <= 1e-6 * lengths[k], "{shape:?} at {point}: {tangents:?}");
+                    // Next to a pole, an apex or a crease a step would lead too far.
+                    if lengths.iter().any(|length| !(0.1..30.0).contains(length)) {
+                        continue;
+                    }
+                    let [before, after] = [-H, H].map(|h| shape.uv(point + *tangent * h, hit.part));
+                    let moved = (after - before) / (2.0 * H);
+                    let expected = if k == 0 { DVec2::X } else { DVec2::Y };
+                    // At the ends of u and v they stop, or begin again.
+                    let is_inside = |uv: DVec2| uv.cmpgt(DVec2::splat(1e-4)).all() && uv.cmplt(DVec2::splat(1.0 - 1e-4)).all();
+                    let whole = is_inside(before) && is_inside(after);
+                    prop_assert!(!whole || (moved - expected).length() < 1e-4, "{shape:?} at {point}: {moved}");
+                }
+            }
+        }
+    }
+
+    #[test]
     fn the_first_crossing_ahead_is_the_first_of_all_that_lie_ahead((origin, place) in rays(), back in 0.0..2.0_f64) {
         for shape in all_samples() {
             let direction = direction_to(&shape, origin, place);

@@ -241,6 +241,12 @@ impl Primitive for ConvexPolyhedron {
         (DVec2::new(right.dot(from_centre), up.dot(from_centre)) / size + 0.5).clamp(DVec2::ZERO, DVec2::ONE)
     }
 
+    fn tangents(&self, point: DVec3, part: Part) -> [DVec3; 2] {
+        let (right, up) = outline::across(self.normal(point, part));
+        let size = (self.bounds.high - self.bounds.low).length();
+        [right * size, up * size]
+    }
+
     fn bounds(&self) -> Bounds {
         self.bounds
     }

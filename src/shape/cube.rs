@@ -310,6 +310,18 @@ impl Primitive for Cube {
         ((DVec2::new(right, up) + 1.0) * 0.5).clamp(DVec2::ZERO, DVec2::ONE)
     }
 
+    fn tangents(&self, _point: DVec3, part: Part) -> [DVec3; 2] {
+        let [x, y, z] = [DVec3::X, DVec3::Y, DVec3::Z].map(|axis| axis * 2.0);
+        match part {
+            0 => [x, -z],
+            1 => [x, z],
+            2 => [-z, y],
+            3 => [z, y],
+            4 => [x, y],
+            _ => [-x, y],
+        }
+    }
+
     fn bounds(&self) -> Bounds {
         Bounds { low: DVec3::NEG_ONE, high: DVec3::ONE }
     }

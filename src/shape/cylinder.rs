@@ -55,6 +55,10 @@ macro_rules! tapered {
                 self.0.uv(point, part)
             }
 
+            fn tangents(&self, point: DVec3, part: Part) -> [DVec3; 2] {
+                self.0.tangents(point, part)
+            }
+
             fn bounds(&self) -> Bounds {
                 self.0.bounds()
             }

@@ -25,6 +25,7 @@ mod superellipsoid_line;
 mod superellipsoid_mixed;
 mod superellipsoid_root;
 mod superellipsoid_search;
+mod tangents;
 mod tapered_cylinder;
 mod tapered_wall;
 #[cfg(test)]
@@ -119,6 +120,10 @@ macro_rules! define_shape {
 
             fn uv(&self, point: DVec3, part: Part) -> DVec2 {
                 match self { $(Self::$variant(shape) => shape.uv(point, part),)* }
+            }
+
+            fn tangents(&self, point: DVec3, part: Part) -> [DVec3; 2] {
+                match self { $(Self::$variant(shape) => shape.tangents(point, part),)* }
             }
 
             fn bounds(&self) -> Bounds {

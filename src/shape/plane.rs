@@ -101,6 +101,10 @@ impl Primitive for Plane {
         DVec2::new(point.x.rem_euclid(1.0), point.y.rem_euclid(1.0))
     }
 
+    fn tangents(&self, _point: DVec3, _part: Part) -> [DVec3; 2] {
+        [DVec3::X, DVec3::Y]
+    }
+
     fn bounds(&self) -> Bounds {
         Bounds { low: DVec3::NEG_INFINITY, high: DVec3::new(f64::INFINITY, f64::INFINITY, 0.0) }
     }

@@ -294,6 +294,11 @@ pub trait Primitive {
     /// Surface coordinates from 0 to 1.
     fn uv(&self, point: DVec3, part: Part) -> DVec2;
 
+    /// ∂P/∂u and ∂P/∂v for the (u, v) of [`uv`](Self::uv), in generic coordinates.
+    ///
+    /// Where u or v has no say (poles, apex) its vector is zero or any that is finite.
+    fn tangents(&self, point: DVec3, part: Part) -> [DVec3; 2];
+
     /// The box that holds it.
     fn bounds(&self) -> Bounds;
 

@@ -27,7 +27,7 @@
 
 use super::boundary::{Boundaries, Root};
 use super::solver::{self, Attempt, Call, Solver};
-use super::{Approach, Bounds, Crossing, Crossings, GenericRay, Part, Primitive, outline, report};
+use super::{Approach, Bounds, Crossing, Crossings, GenericRay, Part, Primitive, outline, report, tangents};
 use crate::math::{Real, cross, dot};
 use crate::record::{Candidate, Entry, Recorder, Value, What};
 use glam::{DVec2, DVec3};
@@ -153,6 +153,12 @@ impl Primitive for Sphere {
     fn uv(&self, point: DVec3, _part: Part) -> DVec2 {
         let latitude = point.z.atan2(point.truncate().length());
         DVec2::new(turn(point.truncate()), ((latitude + FRAC_PI_2) / PI).clamp(0.0, 1.0))
+    }
+
+    fn tangents(&self, point: DVec3, _part: Part) -> [DVec3; 2] {
+        let radial = tangents::radial(point);
+        let up = (radial * -point.z).extend(point.truncate().length());
+        [tangents::around(point), up * PI]
     }
 
     fn bounds(&self) -> Bounds {

@@ -144,6 +144,10 @@ impl Primitive for Square {
         ((point.truncate() + 1.0) * 0.5).clamp(DVec2::ZERO, DVec2::ONE)
     }
 
+    fn tangents(&self, _point: DVec3, _part: Part) -> [DVec3; 2] {
+        [DVec3::X * 2.0, DVec3::Y * 2.0]
+    }
+
     fn bounds(&self) -> Bounds {
         Bounds { low: DVec3::new(-1.0, -1.0, 0.0), high: DVec3::new(1.0, 1.0, 0.0) }
     }

@@ -35,7 +35,7 @@ use super::gauge::Exponents;
 use super::solver::{self, Attempt, Call, Solver};
 use super::superellipsoid_line::Line;
 use super::superellipsoid_search::{Findings, Wanted, search};
-use super::{Approach, Bounds, Crossing, Crossings, GenericRay, Part, Primitive, report};
+use super::{Approach, Bounds, Crossing, Crossings, GenericRay, Part, Primitive, report, tangents};
 use crate::math::Real;
 use crate::record::{Candidate, Entry, Recorder, Value, What, format_number};
 use glam::{DVec2, DVec3};
@@ -169,6 +169,10 @@ impl Primitive for Superellipsoid {
 
     fn is_convex(&self) -> bool {
         self.exponents.n >= 1.0 && self.exponents.m >= 1.0
+    }
+
+    fn tangents(&self, point: DVec3, part: Part) -> [DVec3; 2] {
+        tangents::seen_from_middle(point, self.normal(point, part))
     }
 
     fn bounds(&self) -> Bounds {

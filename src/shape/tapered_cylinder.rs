@@ -34,6 +34,7 @@ use super::solver::{self, Attempt, Call, Solver};
 use super::tapered_wall::Wall;
 use super::{
     Approach, Bounds, Crossing, Crossings, GenericRay, HalfSpace, Part, Primitive, outline, plane_table, report,
+    tangents,
 };
 use crate::math::{Pair, Real, scale_to_unit};
 use crate::record::{Candidate, Entry, Recorder, Sense, format_number};
@@ -282,6 +283,14 @@ impl Primitive for TaperedCylinder {
             CAP if self.s > 0.0 => flat(self.s),
             CAP => DVec2::splat(0.5),
             _ => DVec2::new(super::sphere::turn(point.truncate()), point.z.clamp(0.0, 1.0)),
+        }
+    }
+
+    fn tangents(&self, point: DVec3, part: Part) -> [DVec3; 2] {
+        match part {
+            BASE => [DVec3::X * 2.0, DVec3::Y * 2.0],
+            CAP => [DVec3::X * (2.0 * self.s), DVec3::Y * (2.0 * self.s)],
+            _ => [tangents::around(point), (tangents::radial(point) * self.slope()).extend(1.0)],
         }
     }
 

@@ -28,7 +28,7 @@ use super::boundary::{self, Boundaries};
 use super::solver::{self, Attempt, Call, Solver};
 use super::torus_quartic::{Line, Quartic, Turn, Turns};
 use super::torus_roots;
-use super::{Approach, Bounds, Crossing, Crossings, GenericRay, Part, Primitive, outline, report};
+use super::{Approach, Bounds, Crossing, Crossings, GenericRay, Part, Primitive, outline, report, tangents};
 use crate::math::Real;
 use crate::record::{Candidate, Certificate, Entry, Recorder, Sense, Value, What};
 use glam::{DVec2, DVec3};
@@ -227,6 +227,10 @@ impl Primitive for Torus {
         false
     }
 
+    fn tangents(&self, point: DVec3, _part: Part) -> [DVec3; 2] {
+        tangents::of_tube(point, self.d)
+    }
+
     fn bounds(&self) -> Bounds {
         let high = DVec3::new(self.d + 1.0, self.d + 1.0, 1.0);
         Bounds { low: -high, high }
@@ -244,14 +248,8 @@ impl Primitive for Torus {
         let reach = if self.d < 1.0 { (-self.d).acos() } else { TAU / 2.0 };
         let about_tube = (0..8).map(|k| {
             let (sin, cos) = (f64::from(k) * FRAC_PI_4).sin_cos();
-            let steps = 64;
-            (-steps..=steps)
-                .map(|step| {
-                    let angle = reach * f64::from(step) / f64::from(steps);
-                    let radius = self.d + angle.cos();
-                    DVec3::new(radius * cos, radius * sin, angle.sin())
-                })
-                .collect()
+            let point = |angle: f64| (DVec2::new(cos, sin) * (self.d + angle.cos())).extend(angle.sin());
+            (-64..=64).map(|step| point(reach * f64::from(step) / 64.0)).collect()
         });
         about_axis.into_iter().filter_map(|(radius, z)| outward(radius, z)).chain(about_tube).collect()
     }

@@ -157,7 +157,7 @@ fn check_size(width: u32, height: u32, texels: usize) -> Result<(), String> {
 }
 
 /// For each of `to` equal stretches of a line of `from` texels: the texels that it touches, and their shares of it.
-fn shares(from: u32, to: u32) -> Vec<Vec<(i64, f64)>> {
+pub(super) fn shares(from: u32, to: u32) -> Vec<Vec<(i64, f64)>> {
     // In units of 1/to of a texel all ends are whole numbers.
     let (from, to) = (i64::from(from), i64::from(to));
     let stretch = |i: i64| {

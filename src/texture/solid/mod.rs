@@ -8,9 +8,9 @@ mod gradient;
 mod marble;
 mod mottled;
 mod noise;
-mod random;
+pub(super) mod random;
 #[cfg(test)]
-mod testing;
+pub(super) mod testing;
 mod turbulence;
 mod undulate;
 mod wood;

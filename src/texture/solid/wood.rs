@@ -145,8 +145,7 @@ impl Wood {
     ) -> Entry {
         let Place { x, y, height, radius, wave } = *place;
         let grain = &self.grain;
-        let angle = angle_formula(x);
-        let degrees = y.atan2(x).to_degrees();
+        let (angle, degrees) = angle_about_axis(place);
         let (noise, share) = turbulence.unwrap_or_default();
         let bindings: Vec<Binding> = vec![
             ("p", p.to_array().into()),
@@ -206,9 +205,14 @@ impl Wood {
     }
 }
 
-/// The angle about the axis in degrees, for the reader alone: half angles have no jump within either half of the log.
-fn angle_formula(x: f64) -> &'static str {
-    if x < 0.0 { "180 − 2 arctan(y / (r − x))" } else { "2 arctan(y / (r + x))" }
+/// The angle about the axis in degrees, for the reader alone. Half angles have no jump within either half of the log.
+fn angle_about_axis(place: &Place) -> (&'static str, f64) {
+    let Place { x, y, radius, .. } = *place;
+    if x < 0.0 {
+        ("180 − 2 arctan(y / (r − x))", 180.0 - 2.0 * (y / (radius - x)).atan().to_degrees())
+    } else {
+        ("2 arctan(y / (r + x))", 2.0 * (y / (radius + x)).atan().to_degrees())
+    }
 }
 
 /// Whether a whole number is odd, also where it is negative or very large.
