@@ -25,9 +25,14 @@ pub(super) fn draw(sheet: &mut Sheet, bump: &Bump) {
         Fact::Line(Stroke::dashed(sheet.palette.bad, 1.4, [5.0, 4.0]), "as if tilted so".to_owned()),
     ];
     let (room, _) = sheet.facts(room, &facts);
-    let middle = room.middle()[0];
-    let above = Frame { low: room.low, high: [middle - 6.0, room.high[1]] };
-    let cut = Frame { low: [middle + 6.0, room.low[1]], high: room.high };
+    let ([width, height], middle) = (room.size(), room.middle());
+    // Beside each other, or one below the other where there is more room that way.
+    let (end, start) = if height > width {
+        ([room.high[0], middle[1] - 6.0], [room.low[0], middle[1] + 6.0])
+    } else {
+        ([middle[0] - 6.0, room.high[1]], [middle[0] + 6.0, room.low[1]])
+    };
+    let (above, cut) = (Frame { low: room.low, high: end }, Frame { low: start, high: room.high });
     if is_roomy(&above) {
         heading(sheet, &above, "from above");
         from_above(sheet, bump, &above);

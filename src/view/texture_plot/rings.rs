@@ -14,8 +14,10 @@ const WOOD: [Colour; 2] = [Colour::hex(0xa8_6c_30), Colour::hex(0xe8_c9_98)];
 
 pub(super) fn draw(sheet: &mut Sheet, rings: &Rings, point: Option<Triple>) {
     let shade = if rings.dark { "dark" } else { "light" };
+    let past =
+        if rings.stirred < 0.0 { " Stirring took it past the axis, where the plain log has no ring." } else { "" };
     let note = format!(
-        "At the distance {} from the axis the point lies at {} rings, in ring {}, which is {shade}.",
+        "At the distance {} from the axis the point lies at {} rings, in ring {}, which is {shade}.{past}",
         brief(rings.radius),
         brief(rings.stirred),
         brief(rings.ring)
@@ -30,13 +32,13 @@ pub(super) fn draw(sheet: &mut Sheet, rings: &Rings, point: Option<Triple>) {
     let (room, _) = sheet.facts(room, &facts);
     let frame = within_axes(room);
     let distance = rings.stirred;
-    if !is_roomy(&frame) || !distance.is_finite() || distance.abs() > 1e12 {
+    if !is_roomy(&frame) || !(0.0..1e12).contains(&distance) {
         return;
     }
     let towards = direction(rings.radius, point);
     let at = towards.map(|x| x * distance);
-    let (low, high) = if distance.abs() <= WHOLE {
-        let reach = distance.abs().floor() + 1.6;
+    let (low, high) = if distance <= WHOLE {
+        let reach = distance.floor() + 1.6;
         ([-reach; 2], [reach; 2])
     } else {
         (at.map(|x| x - 0.5 * WHOLE), at.map(|x| x + 0.5 * WHOLE))
