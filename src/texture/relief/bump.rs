@@ -121,12 +121,17 @@ impl Terms {
         let entry = entry.line("n′", unit, &bindings, after.to_array());
         let Some((whole, unit)) = exact else { return entry };
         bindings.extend([("E", whole.to_array().into()), ("m", unit.to_array().into())]);
-        entry.line("E", "(P_u + b_u n + b n_u) × (P_v + b_v n + b n_v)", &bindings, whole.to_array()).line(
+        let unit_formula = if self.inwards { "−E / |E|" } else { "E / |E|" };
+        let entry = entry.line("E", "(P_u + b_u n + b n_u) × (P_v + b_v n + b n_v)", &bindings, whole.to_array()).line(
             "m",
-            if self.inwards { "−E / |E|" } else { "E / |E|" },
+            unit_formula,
             &bindings,
             unit.to_array(),
-        )
+        );
+        match dropped {
+            Some(angle) if angle < 90.0 => entry.line("δ", "arcsin(|n′ × m|)", &bindings, angle),
+            _ => entry,
+        }
     }
 
     /// P′_u × P′_v with nothing dropped, and its unit vector on the side of n.
