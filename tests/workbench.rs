@@ -6,6 +6,7 @@ use egui::{Event, Key, PointerButton, Pos2, Vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 use rayscope::app::{Step, Workbench};
+use rayscope::folder::Outside;
 use rayscope::record::What;
 use rayscope::scene::embedded_scene;
 use std::time::{Duration, Instant};

@@ -155,8 +155,8 @@ def sky(x, y):
         stripe = 0.75 + 0.25 * (int(longitude / (math.pi / 12)) % 2)
         fade = smooth(0.0, 1.2, -latitude)
         return [c * stripe * (1 - 0.45 * fade) for c in (0.25, 0.33, 0.12)]
-    hills = 0.10 + 0.06 * math.sin(3 * longitude) + 0.03 * math.sin(7 * longitude + 1)
-    tower = int(longitude / (math.pi / 8)) % 4 == 1 and (longitude / (math.pi / 8)) % 1 < 0.35 and latitude < 0.42
+    hills = 0.05 + 0.03 * math.sin(3 * longitude) + 0.015 * math.sin(7 * longitude + 1)
+    tower = int(longitude / (math.pi / 8)) % 4 == 1 and (longitude / (math.pi / 8)) % 1 < 0.3 and latitude < 0.26
     if tower:
         lit = 0.5 + 0.5 * math.cos(longitude - sun[0])
         return [c * (0.35 + 0.65 * lit) for c in (0.72, 0.5, 0.34)]

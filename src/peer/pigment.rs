@@ -46,14 +46,17 @@ impl Pigment {
     pub fn texture(&self) -> Option<Value> {
         Some(match self {
             Self::Solid { .. } => return None,
-            Self::Wood { stops, turbulence, scale } => json!({
-                "kind": "wood",
-                "dark": colour_at(stops, 0.0),
-                "light": colour_at(stops, 0.5),
-                "ring_width": 0.5 * scale,
-                "soft_edge": 1.0,
-                "warp": warp(*turbulence, *scale),
-            }),
+            Self::Wood { stops, turbulence, scale } => warped(
+                json!({
+                    "kind": "wood",
+                    "dark": colour_at(stops, 0.0),
+                    "light": colour_at(stops, 0.5),
+                    "ring_width": 0.5 * scale,
+                    "soft_edge": 1.0,
+                }),
+                *turbulence,
+                *scale,
+            ),
             // A vein of the pattern goes up and down once where the sine does.
             Self::Marble { stops, turbulence, scale } => json!({
                 "kind": "marble",
@@ -63,19 +66,26 @@ impl Pigment {
                 "turbulence": { "size": scale, "octaves": OCTAVES },
                 "stops": spread(stops, 0.5),
             }),
-            Self::Bozo { stops, turbulence, scale } => json!({
-                "kind": "noise",
-                "size": scale,
-                "stops": spread(stops, 1.0),
-                "warp": warp(*turbulence, *scale),
-            }),
-            Self::Granite { stops, scale, .. } => json!({
-                "kind": "turbulence",
-                "turbulence": { "size": scale, "octaves": OCTAVES, "absolute": true },
-                "bias": -1.0,
-                "contrast": 4.0,
-                "stops": spread(stops, 1.0),
-            }),
+            Self::Bozo { stops, turbulence, scale } => warped(
+                json!({
+                    "kind": "noise",
+                    "size": scale,
+                    "stops": spread(stops, 1.0),
+                }),
+                *turbulence,
+                *scale,
+            ),
+            Self::Granite { stops, turbulence, scale } => warped(
+                json!({
+                    "kind": "turbulence",
+                    "turbulence": { "size": scale, "octaves": OCTAVES, "absolute": true },
+                    "bias": -1.0,
+                    "contrast": 4.0,
+                    "stops": spread(stops, 1.0),
+                }),
+                *turbulence,
+                *scale,
+            ),
         })
     }
 }
@@ -91,8 +101,12 @@ impl Normal {
 /// POV-Ray's default.
 const OCTAVES: u32 = 6;
 
-fn warp(turbulence: f64, scale: f64) -> Value {
-    json!({ "amount": turbulence * scale, "turbulence": { "size": scale, "octaves": OCTAVES } })
+/// A warp by nothing would be looked up all the same.
+fn warped(mut texture: Value, turbulence: f64, scale: f64) -> Value {
+    if turbulence != 0.0 {
+        texture["warp"] = json!({ "amount": turbulence * scale, "turbulence": { "size": scale, "octaves": OCTAVES } });
+    }
+    texture
 }
 
 fn colour_at(stops: &Stops, value: f64) -> [f64; 3] {
