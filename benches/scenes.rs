@@ -13,8 +13,17 @@ use std::path::Path;
 /// Columns and rows: enough for all that is in the scenes, few enough for the slowest of them.
 const SIZE: Image = Image { width: 160, height: 120 };
 
-const PEERS: [&str; 8] =
-    ["a_spheres", "b_tori", "c_superellipsoids", "d_csg", "e_glass", "h_solids", "i_scaling_100", "i_scaling_10000"];
+const PEERS: [&str; 8] = [
+    "a_spheres",
+    "b_tori",
+    "c_superellipsoids",
+    "d_csg",
+    "e_glass",
+    "f_textures",
+    "h_solids",
+    "i_scaling_100",
+    "i_scaling_10000",
+];
 
 /// What is compiled: the same cube with more and more spheres in it.
 const SPHERES: [usize; 3] = [100, 1_000, 10_000];

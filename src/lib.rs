@@ -2,7 +2,7 @@
 //!
 //! Data flows one way: scene file → [`scene`] → [`trace`] → event tree → [`view`] → command line or workbench. The
 //! layers, from the bottom: [`record`], [`math`], then [`shape`], [`csg`], [`optics`] and [`texture`], then [`scene`], [`trace`],
-//! [`view`], [`accuracy`] and [`peer`], and on top [`cli`] and `app`.
+//! [`view`], [`accuracy`] and [`peer`], and on top [`cli`] and `app`. [`folder`] reads the pictures beside a scene file.
 
 #![warn(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::print_stdout, clippy::print_stderr)]
 
@@ -11,6 +11,7 @@ pub mod accuracy;
 pub mod app;
 pub mod cli;
 pub mod csg;
+pub mod folder;
 pub mod math;
 pub mod optics;
 pub mod peer;

@@ -19,7 +19,7 @@ fn open_at<'a>(scene: &str, size: Vec2) -> Bench<'a> {
     let text = embedded_scene(scene).expect("the scene is embedded").text;
     let name = scene.to_owned();
     let show = move |ui: &mut egui::Ui, workbench: &mut Option<Workbench>| {
-        workbench.get_or_insert_with(|| Workbench::new(ui.ctx(), &name, text)).ui(ui);
+        workbench.get_or_insert_with(|| Workbench::new(ui.ctx(), &name, text, Outside::Refused)).ui(ui);
     };
     let mut bench = Harness::builder().with_size(size).build_ui_state(show, None);
     settle(&mut bench);

@@ -35,18 +35,20 @@ pub use recording::{HitMark, Recording};
 pub use stepper::Step;
 pub use workbench::{OpenScene, Problem, Workbench};
 
+use crate::folder::Outside;
+
 /// Opens the workbench on the text of a scene and stays until its window is closed.
 ///
-/// `name` is the scene's name, or its file's. A scene with errors is no reason not to open: the window shows them.
+/// `name` is the scene's name, or its file's; `outside` says whether it may name pictures outside its folder. A scene with errors is no reason not to open: the window shows them.
 ///
 /// # Errors
 ///
 /// One line that says why there is no window, and what to do without one.
-pub fn run(name: &str, text: String) -> Result<(), String> {
+pub fn run(name: &str, text: String, outside: Outside) -> Result<(), String> {
     if !has_display() {
         return Err(without_display("there is no display"));
     }
-    window::open(name, text).map_err(|error| without_display(&none_opened(&error.to_string())))
+    window::open(name, text, outside).map_err(|error| without_display(&none_opened(&error.to_string())))
 }
 
 /// Elsewhere than on Unix desktops a display is taken for granted.

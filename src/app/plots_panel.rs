@@ -1,4 +1,4 @@
-//! Interval bars and the sign plot of d(t), both for the selected event.
+//! Interval bars, the sign plot of d(t) and the drawing of what a surface carries, all for the selected event.
 
 use super::canvas::Canvas;
 use super::panel::empty;
@@ -6,21 +6,22 @@ use super::recording::Recording;
 use super::theme::drawing_theme;
 use crate::record::EventId;
 use crate::trace::RayTree;
-use crate::view::{Drawing, Theme, interval_bars, sign_plot};
+use crate::view::{Drawing, Theme, interval_bars, sign_plot, texture_plot};
 use egui::{Color32, Pos2, Rect, Role, Sense, Ui, Vec2, WidgetInfo, pos2};
 use std::sync::Arc;
 
 /// How far from a mark a click still counts, in points. Less makes thin lines hard to hit.
 const REACH: f64 = 5.0;
 
-/// The bars' share of the height: three lists with labels need more than one curve.
-const BARS_SHARE: f32 = 0.56;
+/// The plots' heights as parts of each other: three lists with labels need more than one curve, and so does a grid.
+const HEIGHTS: [f32; 3] = [1.27, 1.0, 1.27];
 
 /// What there is to plot of an event.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Plot {
     Bars,
     Signs,
+    Texture,
 }
 
 impl Plot {
@@ -28,6 +29,7 @@ impl Plot {
         match self {
             Self::Bars => "Interval bars",
             Self::Signs => "Sign plot of d(t)",
+            Self::Texture => "What the surface carries",
         }
     }
 
@@ -36,6 +38,7 @@ impl Plot {
         match self {
             Self::Bars => interval_bars(&key.tree, key.selected, size, key.theme),
             Self::Signs => sign_plot(&key.tree, key.selected, size, key.theme),
+            Self::Texture => texture_plot(&key.tree, key.selected, size, key.theme),
         }
     }
 }
@@ -62,37 +65,56 @@ impl PartialEq for Key {
 pub struct PlotsPanel {
     bars: Canvas<Key>,
     signs: Canvas<Key>,
-    /// Which of the two there is, as far as is known.
-    present: [bool; 2],
+    texture: Canvas<Key>,
+    /// Which of the three there is, as far as is known.
+    present: [bool; 3],
 }
 
 impl PlotsPanel {
     /// Shows what there is to plot of the selected event; returns the event whose mark was clicked.
     pub fn ui(&mut self, ui: &mut Ui, recording: Option<&Recording>) -> Option<EventId> {
-        let nothing = "Select a CSG node to see its intervals, or a primitive to see d(t) along the ray.";
+        let nothing = "Select a CSG node to see its intervals, a primitive to see d(t) along the ray, or a texture to see \
+                       how its colour came about.";
         let Some(recording) = recording else {
             empty(ui, nothing);
             return None;
         };
         let whole = ui.available_rect_before_wrap();
-        let (upper, lower) = match self.present {
-            [true, false] | [false, true] => (whole, whole),
-            _ => whole.split_top_bottom_at_y((whole.top() + BARS_SHARE * whole.height()).round()),
-        };
+        let [upper, middle, lower] = rows(whole, self.present);
         let plotted = recording.plotted();
         let look = |canvas: &mut Canvas<Key>, plot, event, rect| show(ui, canvas, plot, recording, event, rect);
         let bars = look(&mut self.bars, Plot::Bars, plotted.intervals, upper);
-        let signs = look(&mut self.signs, Plot::Signs, plotted.signs, lower);
-        let present = [bars.present, signs.present];
+        let signs = look(&mut self.signs, Plot::Signs, plotted.signs, middle);
+        let texture = look(&mut self.texture, Plot::Texture, recording.selected(), lower);
+        let present = [bars.present, signs.present, texture.present];
         if present != self.present {
             self.present = present;
             ui.ctx().request_repaint();
         }
-        if present == [false, false] {
+        if present == [false; 3] {
             empty(ui, nothing);
         }
-        bars.clicked.or(signs.clicked)
+        bars.clicked.or(signs.clicked).or(texture.clicked)
     }
+}
+
+/// Where the plots go, one below the other: what is present shares the height, and what is not takes none of it. Until
+/// something is known to be present, all have room.
+fn rows(whole: Rect, present: [bool; 3]) -> [Rect; 3] {
+    let all = present == [false; 3];
+    let parts: [f32; 3] = std::array::from_fn(|i| if all || present[i] { HEIGHTS[i] } else { 0.0 });
+    let height = whole.height() / parts.iter().sum::<f32>();
+    let mut top = whole.top();
+    std::array::from_fn(|i| {
+        // What is not present now is drawn as large as it may become, not in a row of no height.
+        if parts[i] == 0.0 {
+            return whole;
+        }
+        let bottom = (top + parts[i] * height).round();
+        let row = Rect::from_min_max(pos2(whole.left(), top), pos2(whole.right(), bottom.min(whole.bottom())));
+        top = bottom;
+        row
+    })
 }
 
 /// What became of a plot.

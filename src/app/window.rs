@@ -2,13 +2,14 @@
 
 use super::layout::Shares;
 use super::workbench::Workbench;
+use crate::folder::Outside;
 use eframe::{CreationContext, Frame, NativeOptions, Storage};
 use egui::{Ui, ViewportBuilder};
 
 const SHARES_KEY: &str = "shares";
 
 /// Opens the window and stays until it is closed.
-pub fn open(name: &str, text: String) -> Result<(), eframe::Error> {
+pub fn open(name: &str, text: String, outside: Outside) -> Result<(), eframe::Error> {
     let viewport = ViewportBuilder::default()
         .with_title("rayscope")
         .with_app_id("rayscope")
@@ -16,7 +17,7 @@ pub fn open(name: &str, text: String) -> Result<(), eframe::Error> {
         .with_min_inner_size([960.0, 600.0])
         .with_drag_and_drop(true);
     let options = NativeOptions { viewport, ..NativeOptions::default() };
-    let create = move |creation: &CreationContext| Window::new(creation, name, &text);
+    let create = move |creation: &CreationContext| Window::new(creation, name, &text, outside);
     eframe::run_native("rayscope", options, Box::new(move |creation| Ok(Box::new(create(creation)))))
 }
 
@@ -25,8 +26,8 @@ struct Window {
 }
 
 impl Window {
-    fn new(creation: &CreationContext, name: &str, text: &str) -> Self {
-        let mut workbench = Workbench::new(&creation.egui_ctx, name, text);
+    fn new(creation: &CreationContext, name: &str, text: &str, outside: Outside) -> Self {
+        let mut workbench = Workbench::new(&creation.egui_ctx, name, text, outside);
         let kept = creation.storage.and_then(|storage| storage.get_string(SHARES_KEY));
         if let Some(shares) = kept.and_then(|text| read_shares(&text)) {
             workbench.set_shares(shares);

@@ -9,8 +9,9 @@ use super::renderer::Renderer;
 use super::scene_menu::SceneMenu;
 use super::side_panel::SidePanel;
 use super::theme;
+use crate::folder::{Outside, files_of_scene};
 use crate::record::EventId;
-use crate::scene::{EmbeddedScene, Scene, embedded_scene, embedded_scenes, load};
+use crate::scene::{EmbeddedScene, Scene, embedded_scene, embedded_scenes, load_with};
 use egui::Context;
 use std::path::Path;
 use std::sync::Arc;
@@ -44,12 +45,13 @@ pub struct Workbench {
     pub(super) side: SidePanel,
     pub(super) plots: PlotsPanel,
     pub(super) shares: Shares,
+    outside: Outside,
 }
 
 impl Workbench {
     /// A workbench with a scene open. If the scene has errors, they are shown beside the scene for the first visit.
     #[must_use]
-    pub fn new(ctx: &Context, name: &str, text: &str) -> Self {
+    pub fn new(ctx: &Context, name: &str, text: &str, outside: Outside) -> Self {
         theme::install(ctx);
         let mut workbench = Self {
             open: None,
@@ -62,6 +64,7 @@ impl Workbench {
             side: SidePanel::default(),
             plots: PlotsPanel::default(),
             shares: Shares::default(),
+            outside,
         };
         workbench.open_text(ctx, name, text);
         if workbench.open.is_none() {
@@ -89,7 +92,7 @@ impl Workbench {
 
     /// Opens the text of a scene file. If it has errors, they are shown and the old scene stays.
     pub fn open_text(&mut self, ctx: &Context, name: &str, text: &str) {
-        let scene = match load(text, name) {
+        let scene = match load_with(text, name, files_of_scene(name, self.outside).as_ref()) {
             Ok(scene) => Arc::new(scene),
             Err(diagnostics) => {
                 self.refuse(name, diagnostics.to_string());

@@ -3,6 +3,7 @@
 mod bench;
 mod export;
 mod failure;
+mod frames;
 mod open;
 mod output;
 mod probe;

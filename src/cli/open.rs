@@ -28,7 +28,7 @@ impl Open {
     /// Runs the workbench until its window is closed.
     #[cfg(feature = "workbench")]
     pub fn run(&self) -> Result<(), Failure> {
-        crate::app::run(self.scene.name(), self.scene.text()?).map_err(Failure::refused)
+        crate::app::run(self.scene.name(), self.scene.text()?, self.scene.outside()).map_err(Failure::refused)
     }
 
     /// Says how to get the workbench.

@@ -1,7 +1,8 @@
 //! SCENE on the command line: a file, or the name of an embedded scene.
 
 use super::failure::{Failure, reason};
-use crate::scene::{Image, MOST_PIXELS, Scene, embedded_scene, embedded_scenes, load};
+use crate::folder::{Outside, files_of_scene};
+use crate::scene::{Image, MOST_PIXELS, Scene, embedded_scene, embedded_scenes, load_with};
 use clap::Args;
 use std::fs;
 use std::path::Path;
@@ -12,6 +13,9 @@ pub struct SceneArgument {
     /// A scene file, or the name of a scene that comes with the program (`rayscope scenes` lists them)
     #[arg(value_name = "SCENE")]
     name: String,
+    /// Let the scene name pictures outside its own folder
+    #[arg(long)]
+    allow_outside_files: bool,
 }
 
 /// The picture's size, where it is not to be that of the scene file.
@@ -36,7 +40,12 @@ impl SceneArgument {
 
     /// Names a scene from within the program.
     pub fn named(name: impl Into<String>) -> Self {
-        Self { name: name.into() }
+        Self { name: name.into(), allow_outside_files: false }
+    }
+
+    /// Whether the scene may name files outside its folder.
+    pub const fn outside(&self) -> Outside {
+        if self.allow_outside_files { Outside::Allowed } else { Outside::Refused }
     }
 
     /// The text of the scene, wherever it lies.
@@ -53,7 +62,8 @@ impl SceneArgument {
 
     /// The scene, compiled.
     pub fn load(&self) -> Result<Scene, Failure> {
-        load(&self.text()?, &self.name)
+        let files = files_of_scene(&self.name, self.outside());
+        load_with(&self.text()?, &self.name, files.as_ref())
             .map_err(|errors| Failure::usage(format!("the scene {} cannot be used\n{errors}", self.name)))
     }
 

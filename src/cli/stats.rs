@@ -1,7 +1,7 @@
 //! `--stats`: what a picture took, as JSON.
 
-use crate::record::RayKind;
-use crate::scene::Scene;
+use crate::record::{Lookup, RayKind};
+use crate::scene::{Coat, Material, Object, Scene, Texture};
 use crate::trace::Tally;
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -20,6 +20,8 @@ pub struct Stats<'a> {
     pub rays: BTreeMap<&'static str, u64>,
     pub tests: BTreeMap<&'static str, u64>,
     pub extents: Extents,
+    /// What surfaces carry, and how often it was looked up.
+    pub lookups: BTreeMap<&'static str, u64>,
     pub seconds: Seconds,
     pub effects: Vec<Effect>,
 }
@@ -70,14 +72,19 @@ pub fn extents(tally: &Tally) -> Extents {
     Extents { tests: tally.extent_tests(), misses: tally.extent_misses() }
 }
 
+/// How often each thing that a surface can carry was looked up.
+pub fn lookups(tally: &Tally) -> BTreeMap<&'static str, u64> {
+    Lookup::ALL.iter().map(|&lookup| (lookup.name(), tally.lookups(lookup))).collect()
+}
+
 /// What the scene calls for, from its lights and the materials that its objects use.
 pub fn effects(scene: &Scene) -> Vec<Effect> {
-    let used = |counts: fn(&crate::scene::Material) -> bool| {
+    let used = |counts: &dyn Fn(&Material) -> bool| {
         let mut names: Vec<&str> = scene
             .objects
             .iter()
-            .flat_map(|object| object.leaf_materials.iter().chain([&object.material]))
-            .filter_map(|&index| scene.materials.get(index))
+            .flat_map(|object| object.surface_materials().chain([object.material]))
+            .filter_map(|index| scene.materials.get(index))
             .filter(|material| counts(material))
             .map(|material| material.name.as_str())
             .collect();
@@ -85,11 +92,29 @@ pub fn effects(scene: &Scene) -> Vec<Effect> {
         names.dedup();
         names.join(", ")
     };
+    let carrying = |has: fn(&Coat) -> bool| used(&|material| material.coat.as_deref().is_some_and(has));
     let lights: Vec<&str> = scene.lights.iter().map(|light| light.name.as_str()).collect();
+    let has_details = |object: &&Object| object.coats.iter().flatten().any(|coat| !coat.details.is_empty());
+    let detailed: Vec<&str> = scene.objects.iter().filter(has_details).map(|object| object.name.as_str()).collect();
+    let environment = scene.environment.as_ref().map_or("", |environment| environment.map.layout().name());
     vec![
         Effect::new("shadows", "lights", &lights.join(", ")),
-        Effect::new("reflection", "reflecting materials", &used(|material| material.reflectivity > 0.0)),
-        Effect::new("refraction", "transparent materials", &used(|material| material.transparency > 0.0)),
+        Effect::new("reflection", "reflecting materials", &used(&|material| material.reflectivity > 0.0)),
+        Effect::new("refraction", "transparent materials", &used(&|material| material.transparency > 0.0)),
+        Effect::new(
+            "image textures",
+            "materials with pictures",
+            &carrying(|coat| matches!(coat.texture, Some(Texture::Image { .. }))),
+        ),
+        Effect::new(
+            "solid textures",
+            "materials with solid textures",
+            &carrying(|coat| matches!(coat.texture, Some(Texture::Solid(_)))),
+        ),
+        Effect::new("bumps", "bumpy materials", &carrying(|coat| coat.bump.is_some())),
+        Effect::new("frames", "materials with a grain", &carrying(|coat| coat.frame.is_some())),
+        Effect::new("details", "objects with details", &detailed.join(", ")),
+        Effect::new("environment", "environment", environment),
     ]
 }
 

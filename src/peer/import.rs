@@ -3,6 +3,7 @@
 //! The result is the text of a scene file: it goes through the same compiler as any other scene.
 
 use super::camera::Camera;
+use super::pigment::{Normal, Pigment};
 use super::solid::Solid;
 use serde::Deserialize;
 use serde_json::{Value, json};
@@ -58,12 +59,7 @@ struct Material {
     transmit: f64,
     #[serde(default = "one")]
     ior: f64,
-}
-
-#[derive(Deserialize)]
-#[serde(tag = "type", rename_all = "snake_case", deny_unknown_fields)]
-enum Pigment {
-    Solid { rgb: [f64; 3] },
+    normal: Option<Normal>,
 }
 
 fn one() -> f64 {
@@ -109,9 +105,9 @@ impl Light {
 
 impl Material {
     fn to_file(&self) -> Value {
-        let Pigment::Solid { rgb } = self.pigment;
+        let rgb = self.pigment.flat_colour();
         let opaque = 1.0 - self.transmit;
-        json!({
+        let mut file = json!({
             "ambient": rgb.map(|channel| channel * opaque * self.ambient),
             "diffuse": rgb.map(|channel| channel * opaque * self.diffuse),
             "specular": [self.phong, self.phong, self.phong],
@@ -119,7 +115,14 @@ impl Material {
             "reflectivity": self.reflection,
             "transparency": self.transmit,
             "index_of_refraction": self.ior,
-        })
+        });
+        if let Some(texture) = self.pigment.texture() {
+            file["texture"] = texture;
+        }
+        if let Some(normal) = &self.normal {
+            file["bump"] = normal.bump();
+        }
+        file
     }
 }
 
@@ -164,8 +167,8 @@ mod tests {
     fn what_is_not_understood_is_named() {
         let unknown = import(&peer(r#"{"shape": "blob", "material": "m"}"#)).unwrap_err();
         assert!(unknown.contains("unknown variant `blob`"), "{unknown}");
-        let checker = import(&peer("").replace(r#""type": "solid""#, r#""type": "checker""#)).unwrap_err();
-        assert!(checker.contains("unknown variant `checker`") && checker.contains("line 5"), "{checker}");
+        let leopard = import(&peer("").replace(r#""type": "solid""#, r#""type": "leopard""#)).unwrap_err();
+        assert!(leopard.contains("unknown variant `leopard`") && leopard.contains("line 5"), "{leopard}");
         let lens = import(&peer("").replacen('{', r#"{"dof": {},"#, 1)).unwrap_err();
         assert!(lens.contains("unknown field `dof`"), "{lens}");
         let newer = import(&peer("").replace("peer-scene/1", "peer-scene/2")).unwrap_err();

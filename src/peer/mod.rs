@@ -3,6 +3,7 @@
 mod agreement;
 mod camera;
 mod import;
+mod pigment;
 mod povray;
 mod povray_material;
 mod solid;

@@ -13,6 +13,9 @@ use crate::scene::{Material, Rgb};
 /// Says what in the material a texture cannot say.
 pub(super) fn texture(material: &Material) -> Result<String, String> {
     let at_fault = |message: &str| format!("material `{}`: {message}", material.name);
+    if material.coat.is_some() {
+        return Err(at_fault("it carries a texture, a bump or a grain, and these have no equal in POV-Ray's language"));
+    }
     let (opaque, highlight) = (1.0 - material.transparency, material.specular.x);
     if material.specular != Rgb::splat(highlight) {
         return Err(at_fault("its highlights are coloured, and POV-Ray's have the colour of the light"));
@@ -58,6 +61,7 @@ mod tests {
             reflectivity: 0.0,
             transparency: 0.5,
             index_of_refraction: 1.5,
+            coat: None,
         }
     }
 

@@ -17,7 +17,7 @@ pub use parts::{
     Candidate, CandidateFate, Certificate, Edge, Operator, PlaneRow, PlaneSense, RayKind, Sense, Sign, SignSpan, Span,
     Tier,
 };
-pub use recorder::{Counter, NullRecorder, Recorder};
+pub use recorder::{Counter, Lookup, NullRecorder, Recorder};
 pub use surface::{
     Bump, Detail, Environment, FrameMap, Lattice, LatticeCorner, Mapping, Octave, Octaves, Rings, Stop, TexelShare,
     Texels, Texture, Undulate,

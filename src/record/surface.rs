@@ -9,7 +9,7 @@ use serde::Serialize;
 pub struct Texture {
     /// The kind of texture, as scene files spell it.
     pub texture: String,
-    /// The point in the texture's own space, which moves with the object; for an image (s, t, 0).
+    /// The point in the texture's own space, which moves with the object; for an image (u, v, 0).
     pub point: Triple,
     /// What came out, linear RGB.
     pub colour: Triple,

@@ -1,14 +1,17 @@
 //! From the text of a scene file to a scene with every default and reference resolved, or to all that is wrong.
 
+use super::LeafCoat;
 use super::check::check;
+use super::coat_reader::CoatReader;
 use super::diagnostics::Diagnostics;
 use super::file::{CameraFile, LightFile, LimitsFile, MOST_PIXELS, MaterialFile, MediaFile, SceneFile, scene_schema};
+use super::files::{EmbeddedFiles, Files};
 use super::lenient::Lenient;
 use super::model::{Camera, Image, Light, LightKind, Limits, Material, MediaPolicy, Object, Scene, Shortcuts};
 use super::object_index::ObjectIndex;
 use super::problem::{Path, Problem, Problems};
 use super::rules::Rules;
-use super::solids::{Around, SolidReader, find_circles};
+use super::solids::{Around, Cover, SolidReader, find_circles, place_of};
 use super::source::{locate, parse, to_value};
 use glam::DVec3;
 use serde::Deserialize;
@@ -16,11 +19,20 @@ use serde_json::{Map, Value};
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
-/// Compiles the text of a scene file; `origin` names the file in messages.
+/// Compiles the text of a scene that names no files but those that come with the program: those in the folder of the
+/// embedded scene `origin`. Otherwise `origin` only names the scene in messages.
 ///
 /// # Errors
-/// Everything that is wrong with the file, not only the first.
+/// Everything that is wrong with the scene, not only the first.
 pub fn load(text: &str, origin: &str) -> Result<Scene, Diagnostics> {
+    load_with(text, origin, &EmbeddedFiles::of_scene(origin))
+}
+
+/// Compiles the text of a scene whose pictures come from `files`; `origin` names the scene in messages.
+///
+/// # Errors
+/// Everything that is wrong with the scene and with its pictures, not only the first.
+pub fn load_with(text: &str, origin: &str, files: &dyn Files) -> Result<Scene, Diagnostics> {
     static RULES: LazyLock<Rules> = LazyLock::new(|| Rules::new(scene_schema().as_value()));
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let ast = parse(text).map_err(|(range, message)| {
@@ -30,7 +42,7 @@ pub fn load(text: &str, origin: &str) -> Result<Scene, Diagnostics> {
     let mut problems = Problems::default();
     let value = to_value(&ast, Path::Root, &mut problems);
     check(&RULES, &RULES.root, &value, Path::Root, &mut problems);
-    let scene = SceneFile::deserialize(&value).ok().and_then(|file| compile(file, &mut problems));
+    let scene = SceneFile::deserialize(&value).ok().and_then(|file| compile(file, files, &mut problems));
     match scene {
         Some(scene) if problems.list.is_empty() => Ok(scene),
         _ => {
@@ -42,22 +54,25 @@ pub fn load(text: &str, origin: &str) -> Result<Scene, Diagnostics> {
 }
 
 /// Always `Some` where nothing is wrong.
-fn compile(file: SceneFile, problems: &mut Problems) -> Option<Scene> {
+fn compile(file: SceneFile, files: &dyn Files, problems: &mut Problems) -> Option<Scene> {
     let image = image(&file, problems);
     let camera = camera(file.camera.or_default(), problems);
     let pixels = pixels(&file, image, problems);
     let lights = lights(&file, problems);
-    let materials = file.materials.or_default();
-    let places: BTreeMap<_, _> = materials.keys().enumerate().map(|(i, name)| (name.as_str(), i)).collect();
-    let objects = objects(&file.solids.or_default(), &file.objects.or_default(), &places, problems);
+    let mut coats = CoatReader::new(files, problems);
+    let environment = file.environment.as_ref().and_then(|file| coats.environment(file.0.as_ref()?));
+    let materials = materials(file.materials.or_default(), &mut coats);
+    let objects = objects(&file.solids.or_default(), &file.objects.or_default(), &materials, problems);
+    require_environment(&materials, environment.is_some(), problems);
     let camera = camera?;
-    let materials: Vec<_> = materials.into_iter().map(|(name, file)| material(name, &file.or_default())).collect();
     if !problems.list.is_empty() {
         // What is wrong may be a material that does not exist; nothing may look it up.
         return None;
     }
     let index = ObjectIndex::new(&objects, &materials, &camera);
-    Some(Scene {
+    let needs_beams = environment.as_ref().is_some_and(|environment| environment.averaged)
+        || materials.iter().filter_map(|material| material.coat.as_ref()).any(|coat| coat.needs_footprints());
+    let scene = Scene {
         title: file.title.or_default(),
         about: file.about.or_default(),
         sections: file.sections.or_default().into_iter().map(Lenient::or_default).collect(),
@@ -65,6 +80,9 @@ fn compile(file: SceneFile, problems: &mut Problems) -> Option<Scene> {
         image,
         ambient: DVec3::from_array(file.ambient.or_default().0.0),
         background: DVec3::from_array(file.background.or_default().0.0),
+        environment,
+        needs_beams,
+        frame: 0.0,
         lights,
         materials,
         objects,
@@ -77,7 +95,8 @@ fn compile(file: SceneFile, problems: &mut Problems) -> Option<Scene> {
         },
         limits: limits(file.limits.or_default()),
         pixels,
-    })
+    };
+    Some(scene.at_frame(file.frame.or_default()))
 }
 
 fn limits(file: LimitsFile) -> Limits {
@@ -163,23 +182,43 @@ fn compile_light(file: LightFile, index: usize, path: Path, problems: &mut Probl
     Some(Light { name, kind, colour: DVec3::from_array(colour.0) })
 }
 
-fn material(name: String, file: &MaterialFile) -> Material {
-    Material {
-        name,
-        ambient: DVec3::from_array(file.ambient.0),
-        diffuse: DVec3::from_array(file.diffuse.0),
-        specular: DVec3::from_array(file.specular.0),
-        exponent: file.exponent,
-        reflectivity: file.reflectivity,
-        transparency: file.transparency,
-        index_of_refraction: file.index_of_refraction,
+/// The materials, in the order of their names.
+fn materials(files: BTreeMap<String, Lenient<MaterialFile>>, coats: &mut CoatReader) -> Vec<Material> {
+    let list = Path::Root.field("materials");
+    let compiled = files.into_iter().map(|(name, file)| {
+        let file = file.or_default();
+        let coat = coats.coat(&file, list.field(&name));
+        Material {
+            name,
+            ambient: DVec3::from_array(file.ambient.0),
+            diffuse: DVec3::from_array(file.diffuse.0),
+            specular: DVec3::from_array(file.specular.0),
+            exponent: file.exponent,
+            reflectivity: file.reflectivity,
+            transparency: file.transparency,
+            index_of_refraction: file.index_of_refraction,
+            coat,
+        }
+    });
+    compiled.collect()
+}
+
+/// A material that mirrors the environment needs one.
+fn require_environment(materials: &[Material], is_there: bool, problems: &mut Problems) {
+    for material in materials.iter().filter(|material| !is_there && material.mirrors_environment()) {
+        problems
+            .add(
+                Path::Root.field("materials").field(&material.name).field("mirrors"),
+                format!("`{}` mirrors the environment, and the scene has none", material.name),
+            )
+            .help("add an `environment` to the scene");
     }
 }
 
 fn objects(
     named: &Map<String, Value>,
     files: &[Value],
-    materials: &BTreeMap<&str, usize>,
+    materials: &[Material],
     problems: &mut Problems,
 ) -> Vec<Object> {
     let in_circles = find_circles(named, problems);
@@ -191,20 +230,25 @@ fn objects(
     let compiled: Vec<_> =
         files.iter().enumerate().map(|(i, file)| reader.solid(file, list.item(i), Around::NOTHING)).collect();
     let each = files.iter().zip(object_names).zip(compiled);
-    each.filter_map(|((file, name), compiled)| {
+    let objects = each.filter_map(|((file, name), compiled)| {
         let compiled = compiled?;
-        let own = file.get("material").and_then(Value::as_str).and_then(|name| materials.get(name)).copied();
-        let material = own.or(compiled.leaf_materials.first().copied())?;
+        let own = file.get("material").and_then(Value::as_str).and_then(|name| place_of(materials, name));
+        let material = own.or(compiled.covers.first().map(|cover| cover.material))?;
         let priority = file.get("priority").and_then(Value::as_i64).and_then(|p| i32::try_from(p).ok()).unwrap_or(0);
-        Some(Object {
-            name,
-            solid: compiled.solid.with_wide_unions(),
-            leaf_materials: compiled.leaf_materials.into(),
-            material,
-            priority,
-        })
-    })
-    .collect()
+        let leaf_materials = compiled.covers.iter().map(|cover| cover.material).collect();
+        let coats = leaf_coats(compiled.covers, materials);
+        let solid = compiled.solid.with_wide_unions();
+        Some(Object { name, solid, leaf_materials, material, priority, coats })
+    });
+    objects.collect()
+}
+
+/// What the leaves of an object need to know to carry something; none where nothing of it does.
+fn leaf_coats(covers: Vec<Cover>, materials: &[Material]) -> Option<Box<[LeafCoat]>> {
+    let is_coated = |material: usize| materials.get(material).is_some_and(|material| material.coat.is_some());
+    let carries = |cover: &Cover| is_coated(cover.material) || !cover.details.is_empty();
+    let leaf = |cover: Cover| LeafCoat { object_from_world: cover.world_from_object.inverse(), details: cover.details };
+    covers.iter().any(carries).then(|| covers.into_iter().map(leaf).collect())
 }
 
 /// The names of the objects: their own, or their shape's with a number from the second on.

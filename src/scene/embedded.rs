@@ -27,6 +27,11 @@ pub fn embedded_scene(name: &str) -> Option<EmbeddedScene> {
     SCENES.get_file(format!("{name}.json")).and_then(scene).filter(|scene| scene.name.contains('/'))
 }
 
+/// The bytes of an embedded file, by its path below `scenes/`.
+pub(super) fn embedded_file(path: &str) -> Option<&'static [u8]> {
+    SCENES.get_file(path).map(include_dir::File::contents)
+}
+
 fn scene(file: &'static include_dir::File<'static>) -> Option<EmbeddedScene> {
     let path = file.path().to_str()?.replace('\\', "/");
     Some(EmbeddedScene { name: path.strip_suffix(".json")?.to_owned(), text: file.contents_utf8()? })

@@ -6,6 +6,7 @@
 
 use super::SolidFile;
 use super::lenient::Lenient;
+use super::texture_file::{BumpFile, EnvironmentFile, FrameFile, TextureFile};
 use schemars::{JsonSchema, Schema};
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
@@ -36,6 +37,12 @@ pub struct SceneFile {
     pub ambient: Lenient<Ambient>,
     /// What a ray sees that hits nothing.
     pub background: Lenient<Background>,
+    /// A picture of the light from all directions, which a ray sees that hits nothing.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "EnvironmentFile")]
+    pub environment: Option<Lenient<EnvironmentFile>>,
+    /// The frame of an animation: the time for everything that moves.
+    pub frame: Lenient<f64>,
     /// The lights.
     pub lights: Lenient<Vec<Lenient<LightFile>>>,
     /// The materials by name.
@@ -155,7 +162,7 @@ fn white() -> Colour {
 }
 
 /// How a surface answers light.
-#[derive(Clone, Copy, Debug, Deserialize, Serialize, JsonSchema)]
+#[derive(Clone, Debug, Deserialize, Serialize, JsonSchema)]
 #[serde(default)]
 #[schemars(deny_unknown_fields)]
 pub struct MaterialFile {
@@ -177,6 +184,31 @@ pub struct MaterialFile {
     /// The index of refraction relative to vacuum: glass 1.5, water 1.33. More than 0.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub index_of_refraction: f64,
+    /// A colour that changes from place to place, which the ambient and the diffuse colour are multiplied by.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "TextureFile")]
+    pub texture: Option<TextureFile>,
+    /// Turns its normal as if it were raised.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "BumpFile")]
+    pub bump: Option<BumpFile>,
+    /// Turns its frame, with a grain that draws out its highlights.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "FrameFile")]
+    pub frame: Option<FrameFile>,
+    /// Whether mirrored and refracted directions are followed, or only looked up in the environment.
+    pub mirrors: MirrorsFile,
+}
+
+/// What mirrored and refracted directions show.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum MirrorsFile {
+    /// The scene: a ray is sent.
+    #[default]
+    Scene,
+    /// The environment alone, as if nothing else were there: no ray is sent.
+    Environment,
 }
 
 impl Default for MaterialFile {
@@ -189,6 +221,10 @@ impl Default for MaterialFile {
             reflectivity: 0.0,
             transparency: 0.0,
             index_of_refraction: 1.0,
+            texture: None,
+            bump: None,
+            frame: None,
+            mirrors: MirrorsFile::Scene,
         }
     }
 }

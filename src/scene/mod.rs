@@ -4,35 +4,51 @@
 //! resolved; nobody asks again.
 
 mod check;
+mod coat;
+mod coat_reader;
 mod compile;
+mod detail;
 mod diagnostics;
 mod embedded;
 mod file;
+mod files;
 mod lenient;
 mod model;
 mod object_index;
 mod pictures;
 mod problem;
 mod projection;
+mod relief_reader;
 mod rules;
 mod sight;
 mod solid_file;
+mod solid_texture_reader;
 mod solids;
 mod source;
+mod texture_file;
 mod transform;
 
-pub use compile::load;
+pub use coat::{Bumps, Coat, GrainCoat, LeafCoat, MovingTexture, Texture, mapped_part};
+pub use compile::{load, load_with};
+pub use detail::Detail;
 pub use diagnostics::{Diagnostic, Diagnostics};
 pub use embedded::{EmbeddedScene, embedded_scene, embedded_scenes};
 pub use file::{
     Ambient, Background, CameraFile, Colour, ImageFile, LightFile, LimitsFile, MOST_PIXELS, MaterialFile, MediaFile,
-    SceneFile, scene_schema,
+    MirrorsFile, SceneFile, scene_schema,
 };
+pub use files::{EmbeddedFiles, Files};
 pub use lenient::Lenient;
-pub use model::{Camera, Image, Light, LightKind, Limits, Material, MediaPolicy, Object, Rgb, Scene, Shortcuts};
+pub use model::{
+    Camera, Image, Light, LightKind, Limits, Material, MediaPolicy, Object, Rgb, Scene, SceneEnvironment, Shortcuts,
+};
 pub use object_index::ObjectIndex;
 pub use pictures::{decode, decode_heights};
 pub use projection::Projection;
 pub use sight::{Candidate, LightSight, Sight, Sights};
 pub use solid_file::{HalfSpaceFile, Scale, SolidFile, Transform};
 pub use solids::compile_solid;
+pub use texture_file::{
+    BumpFile, DetailFile, EnvironmentFile, EnvironmentFilterFile, FilterFile, FrameFile, LayoutFile, MapFile,
+    NoiseFile, StopFile, TextureFile, TurbulenceFile, WarpFile, WrapFile,
+};

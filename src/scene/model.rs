@@ -1,8 +1,10 @@
 //! A compiled scene: what the tracer sees.
 
-use super::ObjectIndex;
-use crate::csg::Solid;
-use glam::DVec3;
+use super::{Coat, Detail, LeafCoat, ObjectIndex};
+use crate::csg::{Boundary, Solid};
+use crate::shape::Primitive;
+use crate::texture::image::Environment;
+use glam::{DVec2, DVec3};
 use smallvec::SmallVec;
 
 /// Linear RGB.
@@ -118,6 +120,16 @@ pub struct Material {
     pub transparency: f64,
     /// Index of refraction relative to vacuum.
     pub index_of_refraction: f64,
+    /// What it carries besides its plain colours, if anything.
+    pub coat: Option<Box<Coat>>,
+}
+
+impl Material {
+    /// Whether mirrored and refracted directions are looked up in the environment and not followed.
+    #[must_use]
+    pub fn mirrors_environment(&self) -> bool {
+        self.coat.as_ref().is_some_and(|coat| coat.mirrors_environment)
+    }
 }
 
 /// What happens where transparent objects overlap (§ 6.4.1).
@@ -176,6 +188,52 @@ pub struct Object {
     pub material: usize,
     /// The higher one wins under [`MediaPolicy::Priority`].
     pub priority: i32,
+    /// For each leaf what its surface needs to know to carry something; none where nothing of the object does.
+    pub coats: Option<Box<[LeafCoat]>>,
+}
+
+impl Object {
+    /// The materials of its surface, those of details among them.
+    pub fn surface_materials(&self) -> impl Iterator<Item = usize> {
+        let details = self.coats.iter().flatten().flat_map(|coat| Detail::materials(&coat.details));
+        self.leaf_materials.iter().copied().chain(details)
+    }
+
+    /// The material at a place on the surface, with the detail that decides it, if one does, and the place in its cell.
+    #[must_use]
+    pub fn material_at(&self, boundary: &Boundary, point: DVec3) -> (usize, Option<(&Detail, DVec2)>) {
+        let plain = self.leaf_materials[boundary.leaf];
+        let Some(coats) = &self.coats else { return (plain, None) };
+        let details = &coats[boundary.leaf].details;
+        if details.is_empty() {
+            return (plain, None);
+        }
+        let leaf = &self.solid.leaves[boundary.leaf];
+        let uv = leaf.shape.uv(leaf.placement.generic_point(point), boundary.part);
+        let topmost = Detail::topmost(details, boundary.part, uv);
+        (topmost.map_or(plain, |(detail, _)| detail.material), topmost)
+    }
+}
+
+/// Light from infinitely far away.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SceneEnvironment {
+    /// Its picture.
+    pub map: Environment,
+    /// Whether it is averaged over what a pixel sees of it.
+    pub averaged: bool,
+}
+
+impl Scene {
+    /// The same scene in another frame of its animation.
+    #[must_use]
+    pub fn at_frame(mut self, frame: f64) -> Self {
+        for coat in self.materials.iter_mut().filter_map(|material| material.coat.as_deref_mut()) {
+            coat.set_frame(frame);
+        }
+        self.frame = frame;
+        self
+    }
 }
 
 /// A scene, ready to be traced.
@@ -193,8 +251,14 @@ pub struct Scene {
     pub image: Image,
     /// Ambient light.
     pub ambient: Rgb,
-    /// What a ray sees that hits nothing.
+    /// What a ray sees that hits nothing, where there is no environment.
     pub background: Rgb,
+    /// Light from infinitely far away, in all directions.
+    pub environment: Option<SceneEnvironment>,
+    /// Whether anything in the scene asks what a pixel sees of it, so that rays go with beams.
+    pub needs_beams: bool,
+    /// The frame of an animation: the time for everything that moves.
+    pub frame: f64,
     /// The lights.
     pub lights: Vec<Light>,
     /// The materials.

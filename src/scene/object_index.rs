@@ -42,7 +42,7 @@ impl ObjectIndex {
             hierarchy: Hierarchy::new(&boxes),
             bounded,
             unbounded,
-            opaque: objects.iter().map(|o| !o.leaf_materials.iter().any(|&m| lets_through(m))).collect(),
+            opaque: objects.iter().map(|object| !object.surface_materials().any(lets_through)).collect(),
             projections: objects.iter().map(|object| Projection::new(camera, &object.solid.hull(), blur)).collect(),
             transparent,
             around_the_eye,

@@ -3,6 +3,7 @@
 //! The primitives come from the one list, [`for_each_shape!`](crate::for_each_shape).
 
 use super::lenient::Lenient;
+use super::texture_file::DetailFile;
 use crate::for_each_shape;
 use crate::shape::HalfSpace;
 use glam::DVec3;
@@ -86,6 +87,7 @@ pub(super) struct Common {
     pub material: Lenient<String>,
     pub priority: Option<Lenient<i32>>,
     pub transform: Lenient<Vec<Lenient<Transform>>>,
+    pub details: Lenient<Vec<Lenient<DetailFile>>>,
 }
 
 macro_rules! solid_variants {
@@ -110,6 +112,9 @@ macro_rules! solid_variants {
                     /// The steps that take it from its generic pose to its place, in the order in which they are applied.
                     #[schemars(default)]
                     transform: Vec<Transform>,
+                    /// Polygons on its flat parts, with materials of their own; the last one lies on top.
+                    #[schemars(default)]
+                    details: Vec<DetailFile>,
                 },
             )*
         }

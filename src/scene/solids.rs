@@ -1,17 +1,19 @@
 //! From solids in a file to placed primitives in a binary tree.
 
 use super::check::check;
+use super::lenient::Lenient;
 use super::problem::{Path, Problems};
 use super::rules::Rules;
 use super::solid_file::{Common, Parameter, SolidFile};
+use super::texture_file::DetailFile;
+use super::{Detail, Material};
 use crate::csg::{Leaf, Placement, Solid};
 use crate::for_each_shape;
 use crate::record::Operator;
-use crate::shape::{HalfSpace, Shape};
-use glam::DAffine3;
+use crate::shape::{HalfSpace, Part, Primitive, Shape};
+use glam::{DAffine3, DVec2};
 use serde::Deserialize;
 use serde_json::{Map, Value};
-use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
 /// Levels of the binary tree. Deeper trees could exhaust a thread's stack while a ray is followed through them; a list of
@@ -21,18 +23,35 @@ const MOST_LEVELS: usize = 256;
 /// Primitives of one file, copies counted. Copies of copies grow without bound otherwise; these fill about 200 megabytes.
 const MOST_PRIMITIVES: usize = 150_000;
 
-/// A solid and the materials of its leaves, where they have one.
+/// A solid and what covers its leaves.
 pub(super) struct Compiled {
     pub solid: Solid,
-    pub leaf_materials: Vec<usize>,
+    pub covers: Vec<Cover>,
     levels: usize,
+}
+
+/// What details lie on.
+#[derive(Clone, Copy)]
+struct Ground<'a> {
+    shape: &'a Shape,
+    material: usize,
+}
+
+/// What covers a leaf.
+pub(super) struct Cover {
+    /// Its material; the first one where materials do not matter.
+    pub material: usize,
+    /// From the space of the solid that names the material to the world: what is carved out of one block has one space.
+    pub world_from_object: DAffine3,
+    /// Polygons on its flat parts.
+    pub details: Vec<Detail>,
 }
 
 /// What a solid takes over from those around it.
 #[derive(Clone, Copy)]
 pub(super) struct Around<'a> {
     affine: DAffine3,
-    material: Option<usize>,
+    material: Option<(usize, DAffine3)>,
     /// The name to use where it has none of its own.
     name: Option<&'a str>,
     part_of_compound: bool,
@@ -48,8 +67,8 @@ impl Around<'_> {
 /// Reads solids, and gathers what is wrong with them.
 pub(super) struct SolidReader<'a> {
     named: &'a Map<String, Value>,
-    /// The places of the materials by name; none where materials do not matter.
-    materials: Option<&'a BTreeMap<&'a str, usize>>,
+    /// The materials in the order of their names; none where materials do not matter.
+    materials: Option<&'a [Material]>,
     problems: &'a mut Problems,
     /// Whether copies are put in place of their originals: not where they go round in a circle.
     pub follow_copies: bool,
@@ -78,11 +97,7 @@ pub fn compile_solid(value: &Value) -> Result<Solid, String> {
 
 impl<'a> SolidReader<'a> {
     /// A reader for a file with these `named` solids and these materials.
-    pub fn new(
-        named: &'a Map<String, Value>,
-        materials: Option<&'a BTreeMap<&'a str, usize>>,
-        problems: &'a mut Problems,
-    ) -> Self {
+    pub fn new(named: &'a Map<String, Value>, materials: Option<&'a [Material]>, problems: &'a mut Problems) -> Self {
         Self { named, materials, problems, follow_copies: true, primitives: 0 }
     }
 
@@ -112,21 +127,28 @@ impl<'a> SolidReader<'a> {
                 .help("put `priority` on the object in `objects`");
         }
         let affine = self.transform(&common, path);
-        let material = self.material(&common, path);
-        let name = common.name.0.filter(|name| !name.is_empty());
+        let material = self.material(&common.material, path);
+        let name = common.name.0.as_ref().filter(|name| !name.is_empty()).cloned();
+        let affine = around.affine * affine?;
         let here = Around {
-            affine: around.affine * affine?,
-            material: material.or(around.material),
+            affine,
+            material: material.map(|material| (material, affine)).or(around.material),
             name: around.name.or(name.as_deref()),
             level: around.level + 1,
             ..around
         };
+        let is_primitive = Shape::NAMES.contains(&shape);
+        if !is_primitive && common.details.0.as_ref().is_some_and(|details| !details.is_empty()) {
+            self.problems
+                .add_at_name(path.field("details"), format!("a {shape} has no faces of its own for details to lie on"))
+                .help("put `details` on one of the primitives in it");
+        }
         match shape {
             "union" => self.compound(Operator::Union, value, path, here),
             "intersection" => self.compound(Operator::Intersection, value, path, here),
             "difference" => self.compound(Operator::Difference, value, path, here),
             "copy" => self.copy(value, path, here),
-            _ => self.primitive(shape, value, path, here),
+            _ => self.primitive(shape, value, &common, path, here),
         }
     }
 
@@ -147,15 +169,15 @@ impl<'a> SolidReader<'a> {
         affine
     }
 
-    fn material(&mut self, common: &Common, path: Path) -> Option<usize> {
-        let name = common.material.0.as_deref().filter(|name| !name.is_empty())?;
+    fn material(&mut self, name: &Lenient<String>, path: Path) -> Option<usize> {
+        let name = name.0.as_deref().filter(|name| !name.is_empty())?;
         let materials = self.materials?;
-        let found = materials.get(name).copied();
+        let found = place_of(materials, name);
         if found.is_none() {
             self.problems.add(path.field("material"), format!("unknown material `{name}`")).suggest(
                 "materials",
                 name,
-                materials.keys().copied(),
+                materials.iter().map(|material| material.name.as_str()),
             );
         }
         // The first material stands in, so that the same mistake is not reported as a missing one.
@@ -184,7 +206,7 @@ impl<'a> SolidReader<'a> {
                 return None;
             }
             result.solid = Solid::pair(name, operator, result.solid, operand.solid);
-            result.leaf_materials.extend(operand.leaf_materials);
+            result.covers.extend(operand.covers);
         }
         Some(result)
     }
@@ -208,7 +230,14 @@ impl<'a> SolidReader<'a> {
         self.solid(original, Path::Root.field("solids").field(name), inner)
     }
 
-    fn primitive(&mut self, shape: &str, value: &Value, path: Path, around: Around) -> Option<Compiled> {
+    fn primitive(
+        &mut self,
+        shape: &str,
+        value: &Value,
+        common: &Common,
+        path: Path,
+        around: Around,
+    ) -> Option<Compiled> {
         self.primitives += 1;
         if self.primitives > MOST_PRIMITIVES {
             self.problems.add(path, format!("the scene has more than {MOST_PRIMITIVES} primitives, copies counted"));
@@ -233,9 +262,73 @@ impl<'a> SolidReader<'a> {
                 return None;
             }
         };
+        let (material, world_from_object) = around.material.unwrap_or((0, DAffine3::IDENTITY));
+        let ground = Ground { shape: &shape, material };
+        let details = self.details(&common.details, path.field("details"), ground);
         let solid = Solid::leaf(Leaf::new(name, shape, placement));
-        Some(Compiled { solid, leaf_materials: vec![around.material.unwrap_or(0)], levels: 1 })
+        Some(Compiled { solid, covers: vec![Cover { material, world_from_object, details }], levels: 1 })
     }
+
+    /// The polygons on a primitive's flat parts.
+    fn details(&mut self, files: &Lenient<Vec<Lenient<DetailFile>>>, path: Path, ground: Ground) -> Vec<Detail> {
+        let files = files.0.iter().flatten().enumerate();
+        files.filter_map(|(i, file)| self.detail(file.0.as_ref()?, path.item(i), ground, None)).collect()
+    }
+
+    /// One polygon, with those that lie on it; `below` is the part of the one that it lies on.
+    fn detail(&mut self, file: &DetailFile, path: Path, ground: Ground, below: Option<Part>) -> Option<Detail> {
+        let part = match below {
+            Some(part) => part,
+            None => flat_part(ground.shape, &file.part, path, self.problems)?,
+        };
+        let material = self.material(&Lenient(Some(file.material.clone())), path)?;
+        let lets_through = |material: usize| {
+            self.materials.and_then(|materials| materials.get(material)).is_some_and(|m| m.transparency > 0.0)
+        };
+        if lets_through(material) && !lets_through(ground.material) {
+            self.problems
+                .add(
+                    path.field("material"),
+                    "a detail on an opaque solid cannot be transparent: nothing lies behind it",
+                )
+                .help("give the detail an opaque material, or the solid a transparent one");
+        }
+        let polygon: Vec<_> = file.polygon.iter().map(|&corner| DVec2::from_array(corner)).collect();
+        let details = path.field("details");
+        let above = file.details.iter().enumerate();
+        let details = above.filter_map(|(i, file)| self.detail(file, details.item(i), ground, Some(part))).collect();
+        let repeat = file.repeat.map(|[u, v]| DVec2::new(f64::from(u), f64::from(v)));
+        Some(Detail { part, polygon, repeat, material, details })
+    }
+}
+
+/// The place of a material among those in the order of their names.
+pub(super) fn place_of(materials: &[Material], name: &str) -> Option<usize> {
+    materials.binary_search_by(|material| material.name.as_str().cmp(name)).ok()
+}
+
+/// The flat part of this name; the only part where none is named.
+fn flat_part(shape: &Shape, name: &str, path: Path, problems: &mut Problems) -> Option<Part> {
+    let parts = shape.parts();
+    let flat: Vec<_> = (0..).zip(&parts).filter(|(part, _)| shape.is_flat(*part)).collect();
+    if let (true, [(only, _)]) = (name.is_empty(), &flat[..]) {
+        return Some(*only);
+    }
+    if let Some((part, _)) = flat.iter().find(|(_, flat)| *flat == name) {
+        return Some(*part);
+    }
+    let known: Vec<_> = flat.iter().map(|(_, name)| format!("`{name}`")).collect();
+    let (message, help) = if known.is_empty() {
+        (format!("a {} has no flat part for a detail to lie on", shape.name()), "use an image texture".to_owned())
+    } else if name.is_empty() {
+        ("the detail does not say which part it lies on".to_owned(), format!("`part` is one of {}", known.join(", ")))
+    } else {
+        let is_round = parts.iter().any(|part| part == name);
+        let what = if is_round { format!("`{name}` is not flat") } else { format!("unknown part `{name}`") };
+        (what, format!("a detail can lie on {}", known.join(", ")))
+    };
+    problems.add(path, message).help(help);
+    None
 }
 
 fn is_known(shape: &str) -> bool {

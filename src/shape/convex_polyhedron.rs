@@ -247,6 +247,10 @@ impl Primitive for ConvexPolyhedron {
         [right * size, up * size]
     }
 
+    fn is_flat(&self, _part: Part) -> bool {
+        true
+    }
+
     fn bounds(&self) -> Bounds {
         self.bounds
     }

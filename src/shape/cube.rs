@@ -322,6 +322,10 @@ impl Primitive for Cube {
         }
     }
 
+    fn is_flat(&self, _part: Part) -> bool {
+        true
+    }
+
     fn bounds(&self) -> Bounds {
         Bounds { low: DVec3::NEG_ONE, high: DVec3::ONE }
     }

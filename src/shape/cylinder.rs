@@ -59,6 +59,14 @@ macro_rules! tapered {
                 self.0.tangents(point, part)
             }
 
+            fn is_flat(&self, part: Part) -> bool {
+                self.0.is_flat(part)
+            }
+
+            fn uv_period(&self, part: Part) -> [Option<f64>; 2] {
+                self.0.uv_period(part)
+            }
+
             fn bounds(&self) -> Bounds {
                 self.0.bounds()
             }

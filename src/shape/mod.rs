@@ -126,6 +126,14 @@ macro_rules! define_shape {
                 match self { $(Self::$variant(shape) => shape.tangents(point, part),)* }
             }
 
+            fn is_flat(&self, part: Part) -> bool {
+                match self { $(Self::$variant(shape) => shape.is_flat(part),)* }
+            }
+
+            fn uv_period(&self, part: Part) -> [Option<f64>; 2] {
+                match self { $(Self::$variant(shape) => shape.uv_period(part),)* }
+            }
+
             fn bounds(&self) -> Bounds {
                 match self { $(Self::$variant(shape) => shape.bounds(),)* }
             }

@@ -98,7 +98,11 @@ impl Primitive for Plane {
 
     /// x and y, repeating every unit.
     fn uv(&self, point: DVec3, _part: Part) -> DVec2 {
-        DVec2::new(point.x.rem_euclid(1.0), point.y.rem_euclid(1.0))
+        point.truncate()
+    }
+
+    fn is_flat(&self, _part: Part) -> bool {
+        true
     }
 
     fn tangents(&self, _point: DVec3, _part: Part) -> [DVec3; 2] {

@@ -291,13 +291,23 @@ pub trait Primitive {
     /// At points without a normal (apex, crease) any sensible outward direction; never zero, never NaN.
     fn normal(&self, point: DVec3, part: Part) -> DVec3;
 
-    /// Surface coordinates from 0 to 1.
+    /// Surface coordinates, from 0 to 1 where the part is bounded.
     fn uv(&self, point: DVec3, part: Part) -> DVec2;
 
     /// ∂P/∂u and ∂P/∂v for the (u, v) of [`uv`](Self::uv), in generic coordinates.
     ///
     /// Where u or v has no say (poles, apex) its vector is zero or any that is finite.
     fn tangents(&self, point: DVec3, part: Part) -> [DVec3; 2];
+
+    /// Whether the part is flat, so that (u, v) is an affine map of it.
+    fn is_flat(&self, _part: Part) -> bool {
+        false
+    }
+
+    /// After what change of u and of v the surface comes back to the same place, where it closes on itself.
+    fn uv_period(&self, _part: Part) -> [Option<f64>; 2] {
+        [None; 2]
+    }
 
     /// The box that holds it.
     fn bounds(&self) -> Bounds;

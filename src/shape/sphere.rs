@@ -161,6 +161,10 @@ impl Primitive for Sphere {
         [tangents::around(point), up * PI]
     }
 
+    fn uv_period(&self, _part: Part) -> [Option<f64>; 2] {
+        [Some(1.0), None]
+    }
+
     fn bounds(&self) -> Bounds {
         Bounds { low: DVec3::NEG_ONE, high: DVec3::ONE }
     }

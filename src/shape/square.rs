@@ -148,6 +148,10 @@ impl Primitive for Square {
         [DVec3::X * 2.0, DVec3::Y * 2.0]
     }
 
+    fn is_flat(&self, _part: Part) -> bool {
+        true
+    }
+
     fn bounds(&self) -> Bounds {
         Bounds { low: DVec3::new(-1.0, -1.0, 0.0), high: DVec3::new(1.0, 1.0, 0.0) }
     }

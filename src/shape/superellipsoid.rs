@@ -167,6 +167,10 @@ impl Primitive for Superellipsoid {
         DVec2::new(super::sphere::turn(point.truncate()), ((latitude + FRAC_PI_2) / PI).clamp(0.0, 1.0))
     }
 
+    fn uv_period(&self, _part: Part) -> [Option<f64>; 2] {
+        [Some(1.0), None]
+    }
+
     fn is_convex(&self) -> bool {
         self.exponents.n >= 1.0 && self.exponents.m >= 1.0
     }

@@ -294,6 +294,14 @@ impl Primitive for TaperedCylinder {
         }
     }
 
+    fn is_flat(&self, part: Part) -> bool {
+        part == BASE || part == CAP
+    }
+
+    fn uv_period(&self, part: Part) -> [Option<f64>; 2] {
+        [(!self.is_flat(part)).then_some(1.0), None]
+    }
+
     fn bounds(&self) -> Bounds {
         let radius = self.s.max(1.0);
         Bounds { low: DVec3::new(-radius, -radius, 0.0), high: DVec3::new(radius, radius, 1.0) }

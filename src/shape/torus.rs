@@ -223,6 +223,10 @@ impl Primitive for Torus {
         DVec2::new(super::sphere::turn(point.truncate()), super::sphere::turn(DVec2::new(radius - self.d, point.z)))
     }
 
+    fn uv_period(&self, _part: Part) -> [Option<f64>; 2] {
+        [Some(1.0); 2]
+    }
+
     fn is_convex(&self) -> bool {
         false
     }

@@ -3,10 +3,10 @@
 use super::departure::Ahead;
 use super::ray::{Ray, Tracer};
 use crate::csg::{Boundary, Course, Extent, IntervalList, Leaf};
-use crate::record::{Entry, Recorder, Sense, Value, What};
-use crate::scene::{Material, Projection};
+use crate::record::{Counter, Entry, Lookup, Recorder, Sense, Value, What};
+use crate::scene::{Detail, Material, Projection};
 use crate::shape::Primitive;
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 
 /// The inside intervals of one object that the ray meets.
 pub struct Found {
@@ -38,12 +38,40 @@ pub struct Surface {
     pub boundary: Boundary,
     /// What it does to the ray.
     pub sense: Sense,
+    /// The material: an index into the scene's.
+    pub material: usize,
     /// The point in world space.
     pub point: DVec3,
     /// The outward unit normal.
     pub n_geometric: DVec3,
     /// The unit normal on the side that the ray came from.
     pub n_shading: DVec3,
+}
+
+impl Surface {
+    /// The geometric normal on the side that shading looks at.
+    #[must_use]
+    pub fn facing(&self) -> DVec3 {
+        if self.n_geometric.dot(self.n_shading) < 0.0 { -self.n_geometric } else { self.n_geometric }
+    }
+
+    /// A direction away from the surface. A normal that was turned may mirror a ray into the surface; it is turned back.
+    #[must_use]
+    pub(super) fn kept_outside(&self, direction: DVec3) -> DVec3 {
+        self.on_its_side(direction, self.facing())
+    }
+
+    /// A direction into the surface, likewise.
+    #[must_use]
+    pub(super) fn kept_inside(&self, direction: DVec3) -> DVec3 {
+        self.on_its_side(direction, -self.facing())
+    }
+
+    /// The direction, mirrored at the surface where a turned normal has sent it to the side that `side` does not point to.
+    fn on_its_side(&self, direction: DVec3, side: DVec3) -> DVec3 {
+        let beyond = direction.dot(side);
+        if beyond < 0.0 && self.n_shading != self.facing() { direction - side * (2.0 * beyond) } else { direction }
+    }
 }
 
 impl Tracer<'_> {
@@ -53,11 +81,10 @@ impl Tracer<'_> {
         &self.scene.objects[object].solid.leaves[boundary.leaf]
     }
 
-    /// The material of the surface that a boundary lies on.
+    /// The material of the surface.
     #[must_use]
     pub fn material(&self, surface: &Surface) -> &Material {
-        let object = &self.scene.objects[surface.object];
-        &self.scene.materials[object.leaf_materials[surface.boundary.leaf]]
+        &self.scene.materials[surface.material]
     }
 
     /// Step 2: the intersections of the ray with one object after the other. Objects that are missed are left out.
@@ -182,9 +209,26 @@ impl Tracer<'_> {
         let point = ray.origin + ray.direction * boundary.t;
         let n_geometric = self.scene.objects[object].solid.normal(&boundary, point);
         let n_shading = if n_geometric.dot(ray.direction) > 0.0 { -n_geometric } else { n_geometric };
-        let surface = Surface { object, boundary, sense, point, n_geometric, n_shading };
+        let (material, detail) = self.scene.objects[object].material_at(&boundary, point);
+        let surface = Surface { object, boundary, sense, material, point, n_geometric, n_shading };
         recorder.note(|| self.describe_hit(ray, &surface));
+        if let Some((detail, place)) = detail {
+            recorder.count(Counter::Lookup(Lookup::Detail));
+            recorder.note(|| self.describe_detail(&surface, detail, place));
+        }
         surface
+    }
+
+    fn describe_detail(&self, surface: &Surface, detail: &Detail, place: DVec2) -> Entry {
+        let object = &self.scene.objects[surface.object];
+        let below = object.leaf_materials[surface.boundary.leaf];
+        Entry::new(What::Detail(crate::record::Detail {
+            part: self.leaf(surface.object, &surface.boundary).part(&surface.boundary).to_owned(),
+            uv: place.to_array(),
+            polygon: detail.polygon.iter().map(DVec2::to_array).collect(),
+            below: self.scene.materials[below].name.clone(),
+            material: self.material(surface).name.clone(),
+        }))
     }
 
     fn describe_hit(&self, ray: &Ray, surface: &Surface) -> Entry {

@@ -140,13 +140,12 @@ impl Ahead {
         }
     }
 
-    /// The surfaces that dim light on its way to `limit`: a hit time and a leaf for each. A way that lies inside as a whole
-    /// crosses none; it is dimmed once, by what it lies inside of.
-    pub fn surfaces(&self, limit: f64) -> impl Iterator<Item = (f64, usize)> {
-        let place = |boundary: &Boundary| (boundary.t, boundary.leaf);
-        let crossed = self.list.crossed().iter().map(place).take_while(move |(t, _)| *t < limit);
+    /// The surfaces that dim light on its way to `limit`. A way that lies inside as a whole crosses none; it is dimmed once,
+    /// by what it lies inside of: by the boundary behind the light, or by nothing that is known.
+    pub fn surfaces(&self, limit: f64) -> impl Iterator<Item = Option<&Boundary>> {
+        let crossed = self.list.crossed().iter().take_while(move |boundary| boundary.t < limit);
         let confined = self.list.starts_inside() && crossed.clone().next().is_none();
-        let around = self.list.crossed().first().map_or((0.0, 0), place);
-        confined.then_some(around).into_iter().chain(crossed)
+        let around = self.list.crossed().first();
+        confined.then_some(around).into_iter().chain(crossed.map(Some))
     }
 }

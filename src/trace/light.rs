@@ -2,9 +2,11 @@
 
 use super::closest::Surface;
 use super::departure::{Ahead, Departure};
+use super::finish::Finish;
+use super::highlight::Highlight;
 use super::ray::{Components, Ray, Tracer};
-use crate::optics::{MediaStack, reflect};
-use crate::record::{Counter, Entry, RayKind, Recorder, Value, What};
+use crate::optics::MediaStack;
+use crate::record::{Counter, Entry, RayKind, Recorder, What};
 use crate::scene::{Light, LightKind, Object, Rgb};
 use glam::DVec3;
 use smallvec::SmallVec;
@@ -65,13 +67,13 @@ impl Tracer<'_> {
         &self,
         ray: &Ray,
         surface: &Surface,
+        finish: &Finish,
         components: &mut Components,
         recorder: &mut R,
     ) {
-        let material = self.material(surface);
-        components.ambient = material.ambient * self.scene.ambient;
+        components.ambient = finish.ambient * self.scene.ambient;
         recorder.note(|| {
-            let bindings = [("k_a", material.ambient.to_array().into()), ("I_a", self.scene.ambient.to_array().into())];
+            let bindings = [("k_a", finish.ambient.to_array().into()), ("I_a", self.scene.ambient.to_array().into())];
             Entry::new(What::Ambient { colour: components.ambient.to_array() }).line(
                 "I_amb",
                 "k_a I_a",
@@ -80,55 +82,58 @@ impl Tracer<'_> {
             )
         });
         for index in 0..self.scene.lights.len() {
-            let [diffuse, specular] = self.light(ray, surface, index, recorder);
+            let [diffuse, specular] = self.light(ray, surface, finish, index, recorder);
             components.diffuse += diffuse;
             components.specular += specular;
         }
     }
 
     /// Diffuse and specular term of one light: I k_d max(0, n·l) and I k_s max(0, r·v)^f, r being l mirrored at n.
-    fn light<R: Recorder>(&self, ray: &Ray, surface: &Surface, index: usize, recorder: &mut R) -> [Rgb; 2] {
+    fn light<R: Recorder>(
+        &self,
+        ray: &Ray,
+        surface: &Surface,
+        finish: &Finish,
+        index: usize,
+        recorder: &mut R,
+    ) -> [Rgb; 2] {
         recorder.begin();
         let light = &self.scene.lights[index];
         let way = Way::new(&self.scene.lights, index, surface.point);
         let n_dot_l = surface.n_shading.dot(way.towards);
         let share = if n_dot_l > 0.0 { self.arriving(ray, surface, &way, recorder) } else { 0.0 };
         let arriving = light.colour * share;
-        let material = self.material(surface);
-        let diffuse = arriving * material.diffuse * n_dot_l.max(0.0);
-        let mirrored = reflect(-way.towards, surface.n_shading);
-        let r_dot_v = || mirrored.dot(-ray.direction.normalize()).max(0.0);
+        let material = finish.material;
+        let diffuse = arriving * finish.diffuse * n_dot_l.max(0.0);
+        let eye = || -ray.direction.normalize();
         // A root, a quotient and a power are dear, and 0 times them is 0.
         let is_lit = share > 0.0 && material.specular != Rgb::ZERO;
-        let highlight = if is_lit || R::RECORDING { r_dot_v().powf(material.exponent) } else { 0.0 };
-        let specular = arriving * material.specular * highlight;
+        let highlight = (is_lit || R::RECORDING).then(|| Highlight::new(finish, surface.n_shading, way.towards, eye()));
+        let specular = highlight.as_ref().map_or(Rgb::ZERO, |h| arriving * material.specular * h.value());
         recorder.end(|| {
-            let r_dot_v = r_dot_v();
             let distance = matches!(light.kind, LightKind::Point(_)).then(|| way.direction.length());
-            let bindings: [(&str, Value); 7] = [
+            let bindings = [
                 ("I_l", arriving.to_array().into()),
-                ("k_d", material.diffuse.to_array().into()),
+                ("k_d", finish.diffuse.to_array().into()),
                 ("k_s", material.specular.to_array().into()),
                 ("n", surface.n_shading.to_array().into()),
                 ("l", way.towards.to_array().into()),
-                ("r", mirrored.to_array().into()),
-                ("f", material.exponent.into()),
+                ("n_l", n_dot_l.max(0.0).into()),
             ];
-            let viewer = ("v", Value::from((-ray.direction.normalize()).to_array()));
-            let cosines = [("n_l", Value::from(n_dot_l.max(0.0))), ("r_v", Value::from(r_dot_v))];
-            let bindings: Vec<_> = bindings.into_iter().chain([viewer]).chain(cosines).collect();
-            Entry::new(What::Light {
+            let entry = Entry::new(What::Light {
                 name: light.name.clone(),
                 towards: way.towards.to_array(),
                 distance,
                 arriving: arriving.to_array(),
                 diffuse: diffuse.to_array(),
                 specular: specular.to_array(),
-            })
-            .line("n·l", "n · l", &bindings, n_dot_l)
-            .line("r·v", "max(0, r · v)", &bindings, r_dot_v)
-            .line("I_diff", "I_l k_d n_l", &bindings, diffuse.to_array())
-            .line("I_spec", "I_l k_s (r_v)^f", &bindings, specular.to_array())
+            });
+            let entry = entry.line("n·l", "n · l", &bindings, n_dot_l);
+            let terms = [diffuse, specular];
+            match &highlight {
+                Some(highlight) => highlight.lines(entry, &bindings, terms),
+                None => entry,
+            }
         });
         [diffuse, specular]
     }
@@ -147,6 +152,7 @@ impl Tracer<'_> {
             // Only for the account: shadow rays are not bent.
             media: if R::RECORDING { ray.media.clone() } else { MediaStack::default() },
             place: None,
+            beam: None,
         };
         recorder.count(Counter::Ray(RayKind::Shadow));
         if !R::RECORDING {
@@ -167,7 +173,7 @@ impl Tracer<'_> {
             let list = self.intersect(index, shadow, &course, recorder);
             let ahead = shadow.ahead(index, object, &list);
             ahead.report(object, recorder);
-            share *= self.passed(object, &ahead, limit, recorder);
+            share *= self.passed(shadow, object, &ahead, limit, recorder);
             if share == 0.0 {
                 break;
             }
@@ -176,23 +182,29 @@ impl Tracer<'_> {
     }
 
     /// The share of light that an object lets pass before the light at `limit`.
-    pub(super) fn passed<R: Recorder>(&self, object: &Object, ahead: &Ahead, limit: f64, recorder: &mut R) -> f64 {
+    pub(super) fn passed<R: Recorder>(
+        &self,
+        shadow: &Ray,
+        object: &Object,
+        ahead: &Ahead,
+        limit: f64,
+        recorder: &mut R,
+    ) -> f64 {
         let mut share = 1.0;
-        for (t, leaf) in ahead.surfaces(limit) {
-            let material = &self.scene.materials[object.leaf_materials[leaf]];
-            share *= material.transparency;
+        for boundary in ahead.surfaces(limit) {
+            let t = boundary.map_or(0.0, |boundary| boundary.t);
+            let material = boundary.map_or(object.leaf_materials[0], |boundary| {
+                object.material_at(boundary, shadow.origin + shadow.direction * t).0
+            });
+            let passes = self.scene.materials[material].transparency;
+            share *= passes;
             recorder.note(|| {
-                let reason = if material.transparency > 0.0 {
+                let reason = if passes > 0.0 {
                     "transparent: each surface passes its transparency, without bending"
                 } else {
                     "opaque: no light arrives"
                 };
-                Entry::new(What::Shadow {
-                    object: object.name.clone(),
-                    t,
-                    passes: material.transparency,
-                    reason: reason.to_owned(),
-                })
+                Entry::new(What::Shadow { object: object.name.clone(), t, passes, reason: reason.to_owned() })
             });
         }
         share

@@ -1,8 +1,11 @@
 //! Tracing: the six steps of § 6.1, shading, spawned rays, whole pictures, and the tree of a recorded pixel.
 
+mod beam;
 mod closest;
 mod departure;
 mod export;
+mod finish;
+mod highlight;
 mod leaving;
 mod light;
 mod media;
@@ -14,6 +17,7 @@ mod spawn;
 mod tally;
 mod tree;
 
+pub use beam::Beam;
 pub use closest::Surface;
 pub use departure::{Ahead, Departure};
 pub use export::{TRACE_FORMAT, TraceFile, trace_schema};

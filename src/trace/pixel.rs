@@ -1,5 +1,6 @@
 //! One pixel: the six steps of § 6.1 in their order.
 
+use super::beam::Beam;
 use super::picture::srgb;
 use super::ray::{Ray, Tracer, step};
 use super::tree::{RayTree, TreeRecorder};
@@ -49,7 +50,8 @@ fn build_ray(tracer: &Tracer, x: u32, y: u32, recorder: &mut impl Recorder) -> R
     let (camera, image) = (&tracer.scene.camera, tracer.scene.image);
     let place = camera.place(image, f64::from(x) + 0.5, f64::from(y) + 0.5);
     let direction = camera.direction_through(place);
-    let ray = Ray { place: Some(place), ..tracer.camera_ray(camera.eye, direction) };
+    let beam = tracer.scene.needs_beams.then(|| Box::new(Beam::through_pixel(camera, image, x, y)));
+    let ray = Ray { place: Some(place), beam, ..tracer.camera_ray(camera.eye, direction) };
     step(&ray, 1, recorder, |recorder| {
         recorder.note(|| {
             let (across, down) = (f64::from(x) + 0.5, f64::from(y) + 0.5);

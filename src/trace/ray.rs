@@ -1,10 +1,12 @@
 //! A ray and the one function that finds the colour that it brings back.
 
+use super::beam::Beam;
 use super::closest::Surface;
 use super::departure::{Ahead, Departure};
+use super::spawn::Meeting;
 use crate::csg::{Course, IntervalList, Solid};
 use crate::optics::MediaStack;
-use crate::record::{Counter, Entry, NullRecorder, RayKind, Recorder, What};
+use crate::record::{Counter, Entry, Lookup, NullRecorder, RayKind, Recorder, What};
 use crate::scene::{Object, Rgb, Scene, Shortcuts, Sights};
 use glam::DVec3;
 
@@ -29,6 +31,8 @@ pub struct Ray {
     pub media: MediaStack,
     /// Where it passes the image plane at distance 1, across and upwards from its middle, if it comes from the eye.
     pub place: Option<[f64; 2]>,
+    /// The rays through its pixel's corners, where the scene calls for them.
+    pub beam: Option<Box<Beam>>,
 }
 
 /// Rays that a pixel may spawn. Depth alone does not bound them: where each ray spawns two, every level doubles them.
@@ -50,6 +54,7 @@ impl Ray {
             departure,
             media,
             place,
+            beam: None,
         }
     }
 
@@ -145,7 +150,7 @@ impl<'a> Tracer<'a> {
         });
         step(ray, 5, recorder, |recorder| match &surface {
             Some(surface) => self.find_colour(ray, surface, recorder),
-            None => self.see_background(recorder),
+            None => self.see_background(ray, recorder),
         })
     }
 
@@ -165,9 +170,21 @@ impl<'a> Tracer<'a> {
     }
 
     /// Step 5 where nothing is hit.
-    fn see_background(&self, recorder: &mut impl Recorder) -> Rgb {
-        recorder.note(|| Entry::new(What::Nothing { background: self.scene.background.to_array() }));
-        self.scene.background
+    fn see_background(&self, ray: &Ray, recorder: &mut impl Recorder) -> Rgb {
+        let background = match &self.scene.environment {
+            Some(_) => self.see_environment(ray.direction, ray.beam.as_deref(), recorder),
+            None => self.scene.background,
+        };
+        recorder.note(|| Entry::new(What::Nothing { background: background.to_array() }));
+        background
+    }
+
+    /// The light from infinitely far away, against `direction`; black where the scene has no environment.
+    pub(super) fn see_environment<R: Recorder>(&self, direction: DVec3, beam: Option<&Beam>, recorder: &mut R) -> Rgb {
+        let Some(environment) = &self.scene.environment else { return Rgb::ZERO };
+        recorder.count(Counter::Lookup(Lookup::Environment));
+        let corners = beam.filter(|_| environment.averaged).map(Beam::directions);
+        environment.map.towards(direction, corners, recorder)
     }
 
     /// Step 5: the colour of the light that returns along the ray from the hit point.
@@ -177,8 +194,11 @@ impl<'a> Tracer<'a> {
         if crossing.hidden {
             components.transmitted = self.pass_straight_through(ray, surface, &crossing, recorder);
         } else {
-            self.add_lights(ray, surface, &mut components, recorder);
-            self.add_spawned(ray, surface, &crossing, &mut components, recorder);
+            let corners = self.corners(ray, surface);
+            let (surface, finish) = self.finish(surface, corners.as_deref(), recorder);
+            self.add_lights(ray, &surface, &finish, &mut components, recorder);
+            let meeting = Meeting { surface: &surface, material: finish.material, corners };
+            self.add_spawned(ray, &meeting, &crossing, &mut components, recorder);
         }
         recorder.note(|| components.describe());
         components.total()

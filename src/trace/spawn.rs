@@ -1,18 +1,27 @@
 //! The rays that a hit spawns: the mirrored one and the one through the surface (§ 6.4).
 
+use super::beam::{Beam, Corners};
 use super::closest::Surface;
 use super::departure::Departure;
 use super::media::MediaCrossing;
 use super::ray::{Components, MOST_RAYS, Ray, Tracer};
 use crate::optics::{MediaStack, Optics, reflect, refract, snell_entry};
 use crate::record::{Entry, RayKind, Recorder, What};
-use crate::scene::Rgb;
+use crate::scene::{Material, Rgb};
 use glam::DVec3;
+
+/// The place where a ray meets a surface, with all that decides what it spawns there.
+pub(super) struct Meeting<'a> {
+    pub surface: &'a Surface,
+    pub material: &'a Material,
+    pub corners: Option<Corners>,
+}
 
 /// A ray that is to be sent from a surface.
 struct Offspring {
     kind: RayKind,
     direction: DVec3,
+    beam: Option<Box<Beam>>,
     /// The share of what it brings back.
     share: f64,
     media: MediaStack,
@@ -30,12 +39,12 @@ impl Tracer<'_> {
     pub(super) fn add_spawned<R: Recorder>(
         &self,
         ray: &Ray,
-        surface: &Surface,
+        meeting: &Meeting,
         crossing: &MediaCrossing,
         components: &mut Components,
         recorder: &mut R,
     ) {
-        let material = self.material(surface);
+        let Meeting { surface, material, corners } = meeting;
         let transmission = (material.transparency > 0.0).then(|| self.bend(ray, surface, crossing, recorder));
         let all_is_reflected = transmission.as_ref().is_some_and(|optics| optics.refracted.is_none());
         let extra = if all_is_reflected { material.transparency } else { 0.0 };
@@ -43,17 +52,31 @@ impl Tracer<'_> {
         let refracted = transmission.and_then(|optics| optics.refracted);
         let budget = budget_for_each(ray, u32::from(share > 0.0) + u32::from(refracted.is_some()));
         if share > 0.0 {
-            let mirrored = reflect(ray.direction, surface.n_shading);
-            recorder.note(|| describe_reflection(ray, surface, mirrored, share));
+            let direction = surface.kept_outside(reflect(ray.direction, surface.n_shading));
+            recorder.note(|| describe_reflection(ray, surface, direction, share));
             let (kind, media) = (RayKind::Reflected, ray.media.clone());
-            let offspring = Offspring { kind, direction: mirrored, share, media, budget };
-            components.reflected = self.spawn(ray, surface, offspring, recorder);
+            let beam = corners.as_deref().map(|corners| Beam::mirrored(corners, surface));
+            let offspring = Offspring { kind, direction, beam, share, media, budget };
+            components.reflected = self.look(ray, meeting, offspring, recorder);
         }
         if let Some(direction) = refracted {
             let (kind, media) = (RayKind::Refracted, crossing.media_after(ray));
-            let offspring = Offspring { kind, direction, share: material.transparency, media, budget };
-            components.transmitted = self.spawn(ray, surface, offspring, recorder);
+            let direction = surface.kept_inside(direction);
+            let indices = [crossing.before, crossing.after].map(|medium| self.index_of_refraction(medium));
+            let way = [ray.direction, direction];
+            let beam = corners.as_deref().map(|corners| Beam::bent(corners, surface, way, indices));
+            let offspring = Offspring { kind, direction, beam, share: material.transparency, media, budget };
+            components.transmitted = self.look(ray, meeting, offspring, recorder);
         }
+    }
+
+    /// What comes back from a direction: along a ray, or from the environment alone where the material asks for that.
+    fn look<R: Recorder>(&self, parent: &Ray, meeting: &Meeting, offspring: Offspring, recorder: &mut R) -> Rgb {
+        if meeting.material.mirrors_environment() {
+            let beam = offspring.beam.as_deref();
+            return self.see_environment(offspring.direction, beam, recorder) * offspring.share;
+        }
+        self.spawn(parent, meeting.surface, offspring, recorder)
     }
 
     /// Goes on behind a boundary that lies inside a medium which wins over it.
@@ -66,7 +89,9 @@ impl Tracer<'_> {
     ) -> Rgb {
         let (kind, media) = (RayKind::Refracted, crossing.media_after(ray));
         let budget = budget_for_each(ray, 1);
-        self.spawn(ray, surface, Offspring { kind, direction: ray.direction, share: 1.0, media, budget }, recorder)
+        let beam = self.corners(ray, surface).map(|corners| Beam::straight_on(&corners));
+        let offspring = Offspring { kind, direction: ray.direction, beam, share: 1.0, media, budget };
+        self.spawn(ray, surface, offspring, recorder)
     }
 
     fn bend(&self, ray: &Ray, surface: &Surface, crossing: &MediaCrossing, recorder: &mut impl Recorder) -> Optics {
@@ -79,7 +104,7 @@ impl Tracer<'_> {
 
     /// Sends a ray from the surface and returns its colour times `share`, or black where a limit stops it.
     fn spawn<R: Recorder>(&self, parent: &Ray, surface: &Surface, offspring: Offspring, recorder: &mut R) -> Rgb {
-        let Offspring { kind, direction, share, media, budget } = offspring;
+        let Offspring { kind, direction, beam, share, media, budget } = offspring;
         let ray = Ray {
             kind,
             origin: surface.point,
@@ -90,6 +115,7 @@ impl Tracer<'_> {
             departure: Some(Departure::new(surface, parent.direction, direction)),
             media,
             place: None,
+            beam,
         };
         if self.stopped_by_a_limit(&ray, budget.is_none(), recorder) {
             return Rgb::ZERO;

@@ -1,6 +1,6 @@
 //! Counts what a picture took.
 
-use crate::record::{Counter, Entry, RayKind, Recorder};
+use crate::record::{Counter, Entry, Lookup, RayKind, Recorder};
 use crate::shape::Shape;
 
 /// A [`Recorder`] that counts and keeps nothing else.
@@ -10,12 +10,14 @@ pub struct Tally {
     shape_tests: Vec<u64>,
     extent_tests: u64,
     extent_misses: u64,
+    lookups: [u64; Lookup::ALL.len()],
 }
 
 impl Default for Tally {
     fn default() -> Self {
         let shape_tests = vec![0; Shape::NAMES.len()];
-        Self { rays: [0; RayKind::ALL.len()], shape_tests, extent_tests: 0, extent_misses: 0 }
+        let (rays, lookups) = ([0; RayKind::ALL.len()], [0; Lookup::ALL.len()]);
+        Self { rays, shape_tests, extent_tests: 0, extent_misses: 0, lookups }
     }
 }
 
@@ -44,12 +46,19 @@ impl Tally {
         self.extent_misses
     }
 
+    /// How often something that a surface carries was looked up.
+    #[must_use]
+    pub const fn lookups(&self, lookup: Lookup) -> u64 {
+        self.lookups[lookup as usize]
+    }
+
     /// Adds the counts of another part of the picture.
     #[must_use]
     pub fn plus(mut self, other: &Self) -> Self {
         let add = |to: &mut [u64], from: &[u64]| to.iter_mut().zip(from).for_each(|(to, from)| *to += from);
         add(&mut self.rays, &other.rays);
         add(&mut self.shape_tests, &other.shape_tests);
+        add(&mut self.lookups, &other.lookups);
         self.extent_tests += other.extent_tests;
         self.extent_misses += other.extent_misses;
         self
@@ -69,6 +78,7 @@ impl Recorder for Tally {
             Counter::ShapeTest(shape) => self.shape_tests[shape] += 1,
             Counter::ExtentTest => self.extent_tests += 1,
             Counter::ExtentMiss => self.extent_misses += 1,
+            Counter::Lookup(lookup) => self.lookups[lookup as usize] += 1,
         }
     }
 }

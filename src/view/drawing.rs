@@ -37,6 +37,18 @@ impl Frame {
         (0..2).all(|i| self.low[i] <= at[i] && at[i] <= self.high[i])
     }
 
+    /// Width and height.
+    #[must_use]
+    pub fn size(&self) -> [f64; 2] {
+        [self.high[0] - self.low[0], self.high[1] - self.low[1]]
+    }
+
+    /// The place in the middle.
+    #[must_use]
+    pub fn middle(&self) -> Spot {
+        std::array::from_fn(|i| f64::midpoint(self.low[i], self.high[i]))
+    }
+
     /// Wider by `by` on each side.
     #[must_use]
     pub fn grown(&self, by: f64) -> Self {

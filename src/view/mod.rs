@@ -15,10 +15,13 @@ mod paint;
 mod palette;
 #[cfg(test)]
 mod sample;
+#[cfg(test)]
+mod sample_texture;
 mod side_view;
 mod sign_plot;
 mod svg;
 mod text;
+mod texture_plot;
 
 pub use drawing::{Anchor, Drawing, Form, Frame, Mark, Spot, Stroke, Text};
 pub use fonts::{Face, Font, FontRole, fonts, has_glyph, text_width};
@@ -30,3 +33,4 @@ pub use side_view::{PlaneView, SectionPlane, SideViewOptions, side_view, side_vi
 pub use sign_plot::sign_plot;
 pub use svg::svg;
 pub use text::{Detail, DetailLine, Row, brief, brief_vector, detail, row, span_list, tree_text};
+pub use texture_plot::texture_plot;

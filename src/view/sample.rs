@@ -1,5 +1,6 @@
 //! Things made up for tests: a tree with every kind of event once, and a drawing, with numbers that a person can check.
 
+use super::sample_texture::{carried, environment};
 use crate::record::{
     Candidate, CandidateFate, Certificate, Edge, Entry, Operator, PlaneRow, PlaneSense, RayKind, Recorder, Sense, Sign,
     SignSpan, Span, What,
@@ -72,7 +73,7 @@ pub fn every_kind() -> RayTree {
                 reason: "not a boundary of the difference: it lies inside inner".into(),
             });
         });
-        s.with(step(4, "Compute the hit point"), |s| s.note(hit()));
+        s.with(step(4, "Compute the hit point"), |s| s.with(hit(), carried));
         s.with(step(5, "Find the colour of the light returning along the ray"), colour);
         s.with(step(6, "Place the colour in the rc-th pixel"), |s| {
             s.note(What::Written { linear: [0.25, 0.5, 0.75], srgb: [137, 188, 225] });
@@ -239,7 +240,10 @@ fn colour(s: &mut Sketch) {
         refracted: Some([0.0, 0.0, -1.0]),
         reflectance: 0.04,
     });
-    s.with(ray(RayKind::Reflected, [0.0, 0.0, 1.0], 1), |s| s.note(What::Nothing { background: [0.1, 0.2, 0.3] }));
+    s.with(ray(RayKind::Reflected, [0.0, 0.0, 1.0], 1), |s| {
+        s.note(What::Environment(environment()));
+        s.note(What::Nothing { background: [0.1, 0.2, 0.3] });
+    });
     s.with(ray(RayKind::Refracted, [0.0, -0.1, -1.0], 1), |s| {
         s.note(What::Nothing { background: [0.1, 0.2, 0.3] });
         s.note(What::Limit {

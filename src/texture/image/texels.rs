@@ -7,6 +7,13 @@ use std::sync::OnceLock;
 /// The most texels that an image may have: 64 Mi, 768 MiB as stored.
 pub const MOST_TEXELS: u64 = 64 << 20;
 
+/// The image alone counts, not whether its pyramid was asked for.
+impl PartialEq for Texels {
+    fn eq(&self, other: &Self) -> bool {
+        (self.width, self.height, &self.data) == (other.width, other.height, &other.data)
+    }
+}
+
 /// What the bytes of an image mean.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Encoding {
@@ -157,7 +164,7 @@ fn check_size(width: u32, height: u32, texels: usize) -> Result<(), String> {
 }
 
 /// For each of `to` equal stretches of a line of `from` texels: the texels that it touches, and their shares of it.
-fn shares(from: u32, to: u32) -> Vec<Vec<(i64, f64)>> {
+pub(super) fn shares(from: u32, to: u32) -> Vec<Vec<(i64, f64)>> {
     // In units of 1/to of a texel all ends are whole numbers.
     let (from, to) = (i64::from(from), i64::from(to));
     let stretch = |i: i64| {

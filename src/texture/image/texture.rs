@@ -28,7 +28,7 @@ pub struct Place<'a> {
 }
 
 /// An image with the way that it lies on a surface.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct ImageTexture {
     /// The image.
     pub texels: Arc<Texels>,

@@ -92,7 +92,7 @@ impl Grain {
         match self {
             Self::Brushed { .. } => "brushed",
             Self::Woven { .. } => "woven",
-            Self::Fibre { .. } => "fibre",
+            Self::Fibre { .. } => "grain",
         }
     }
 

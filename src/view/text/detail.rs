@@ -4,6 +4,7 @@ use super::explain::explain;
 use super::format::{accuracy, count, degrees, number_list, percent, significant, span_list, vector};
 use super::row::{capitalised, row, surface, titled};
 use super::tables::{candidate_table, colour_table, plane_table, polynomial, tier_table};
+use super::texture_detail::texture_lines;
 use crate::record::{Event, Sense, Sign, SignSpan, What, format_number};
 
 /// What an event holds, for reading.
@@ -57,6 +58,7 @@ pub fn detail(event: &Event) -> Detail {
     let mut lines = ray_lines(&event.what)
         .or_else(|| search_lines(&event.what))
         .or_else(|| hit_lines(&event.what))
+        .or_else(|| texture_lines(&event.what))
         .unwrap_or_else(|| light_lines(&event.what));
     lines.extend(event.working.iter().map(|line| DetailLine::Working {
         symbol: line.symbol.to_string(),
@@ -72,7 +74,7 @@ pub fn detail(event: &Event) -> Detail {
     }
 }
 
-fn pair(name: &str, value: impl Into<String>) -> DetailLine {
+pub(super) fn pair(name: &str, value: impl Into<String>) -> DetailLine {
     DetailLine::Pair { name: name.to_owned(), value: value.into() }
 }
 

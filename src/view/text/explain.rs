@@ -1,10 +1,14 @@
 //! What an event means, in a sentence or two for somebody who meets it for the first time.
 
+use super::texture_detail::explain_texture;
 use crate::record::{Certificate, Operator, RayKind, Sense, What};
 
 /// The sentence for an event. It depends on the kind of event and on how it ended, never on its numbers.
 pub(super) fn explain(what: &What) -> &'static str {
-    explain_search(what).or_else(|| explain_hit(what)).unwrap_or_else(|| explain_light(what))
+    explain_search(what)
+        .or_else(|| explain_hit(what))
+        .or_else(|| explain_texture(what))
+        .unwrap_or_else(|| explain_light(what))
 }
 
 /// The ray and the search for its hits.

@@ -5,11 +5,14 @@ mod explain;
 mod format;
 mod row;
 mod tables;
+mod texture_detail;
+mod texture_row;
 mod tree;
 
 pub use detail::{Detail, DetailLine, detail};
 pub use format::{brief, brief_vector, span_list};
 pub use row::{Row, row};
+pub(super) use texture_row::{angle_between, place, solid_angle, spoken};
 pub use tree::tree_text;
 
 #[cfg(test)]
@@ -53,6 +56,22 @@ mod tests {
             let row = row(event);
             let line = format!("\n{}{} {}", "  ".repeat(tree.depth(event.id)), row.icon, row.label);
             assert!(format!("\n{text}").contains(&line), "{line}");
+        }
+    }
+
+    #[test]
+    fn the_terms_of_a_turbulence_are_a_table_that_adds_up() {
+        let text = tree_text(&sample::every_kind());
+        let cells: Vec<Vec<&str>> = text.lines().map(|line| line.split_whitespace().collect()).collect();
+        assert!(cells.contains(&vec!["2", "8", "0.125", "0.8", "0.1", "0.25"]), "{text}");
+        assert!(cells.contains(&vec!["3", "16", "0.0625", "0.2", "0.0125", "0.2625"]), "{text}");
+        assert!(text.contains("∿ turbulence: 4 terms   sum = 0.2625\n"), "{text}");
+    }
+
+    #[test]
+    fn every_event_has_a_label_and_an_explanation() {
+        for event in &sample::every_kind().events {
+            assert!(!row(event).label.is_empty() && !detail(event).explanation.is_empty(), "{:?}", event.what);
         }
     }
 

@@ -1,6 +1,7 @@
 //! The one-line description of an event.
 
 use super::format::{brief, brief_vector, count, degrees, number_list, percent, times};
+use super::texture_row;
 use crate::record::{Candidate, CandidateFate, Certificate, Event, PlaneSense, RayKind, Tier, What};
 
 /// One line: an icon, what happened, and the numbers that matter most.
@@ -52,13 +53,13 @@ fn icon(what: &What) -> &'static str {
         What::Nothing { .. } => "∅",
         What::Detail(_) => "▱",
         What::Texture(_) => "▦",
-        What::Mapping(_) => "⌗",
+        What::Mapping(_) => "⊞",
         What::Texels(_) => "▩",
         What::Lattice(_) => "⋰",
         What::Octaves(_) => "∿",
         What::Undulate(_) => "∽",
         What::Rings(_) => "◎",
-        What::Bump(_) => "⌒",
+        What::Bump(_) => "∡",
         What::FrameMap(_) => "⊥",
         What::Environment(_) => "◍",
         What::Ambient { .. } => "◌",
@@ -114,17 +115,17 @@ fn label(what: &What) -> String {
         What::Rejected { object, leaf, part, .. } => format!("not {}", surface(object, leaf, part)),
         What::Hit { object, leaf, part, .. } => format!("hit {}", surface(object, leaf, part)),
         What::Nothing { .. } => "nothing in front: the background".to_owned(),
-        What::Detail(_)
-        | What::Texture(_)
-        | What::Mapping(_)
-        | What::Texels(_)
-        | What::Lattice(_)
-        | What::Octaves(_)
-        | What::Undulate(_)
-        | What::Rings(_)
-        | What::Bump(_)
-        | What::FrameMap(_)
-        | What::Environment(_) => String::new(),
+        What::Detail(detail) => texture_row::detail_label(detail),
+        What::Texture(texture) => format!("texture: {}", texture_row::spoken(&texture.texture)),
+        What::Mapping(mapping) => texture_row::mapping_label(mapping),
+        What::Texels(texels) => texture_row::texels_label(texels),
+        What::Lattice(lattice) => texture_row::lattice_label(lattice),
+        What::Octaves(octaves) => texture_row::octaves_label(octaves),
+        What::Undulate(_) => "colour from the spline".to_owned(),
+        What::Rings(rings) => texture_row::rings_label(rings),
+        What::Bump(bump) => texture_row::bump_label(bump),
+        What::FrameMap(frame) => texture_row::frame_label(frame),
+        What::Environment(environment) => texture_row::environment_label(environment),
         What::Ambient { .. } => "ambient term".to_owned(),
         What::Light { name, arriving, .. } if *arriving == [0.0; 3] => format!("light {name}: none arrives"),
         What::Light { name, .. } => format!("light {name}: diffuse and specular terms"),
@@ -178,6 +179,17 @@ fn numbers(event: &Event) -> String {
         What::Rejected { t, reason, .. } => format!("t = {}: {reason}", brief(*t)),
         What::Hit { t, point, .. } => format!("t = {} at {}", brief(*t), brief_vector(*point)),
         What::Nothing { background } => brief_vector(*background),
+        What::Detail(detail) => format!("(u, v) = {}", texture_row::place(detail.uv)),
+        What::Texture(texture) => brief_vector(texture.colour),
+        What::Mapping(mapping) => texture_row::mapping_numbers(mapping),
+        What::Texels(texels) => brief_vector(texels.colour),
+        What::Lattice(lattice) => format!("noise = {}", brief(lattice.noise)),
+        What::Octaves(octaves) => format!("sum = {}", brief(octaves.sum)),
+        What::Undulate(undulate) => format!("at {}: {}", brief(undulate.argument), brief_vector(undulate.colour)),
+        What::Rings(rings) => texture_row::rings_numbers(rings),
+        What::Bump(bump) => texture_row::bump_numbers(bump),
+        What::FrameMap(frame) => texture_row::frame_numbers(frame),
+        What::Environment(environment) => brief_vector(environment.colour),
         What::Ambient { colour } => brief_vector(*colour),
         What::Light { diffuse, specular, .. } => brief_vector(std::array::from_fn(|i| diffuse[i] + specular[i])),
         What::Shadow { t, passes, .. } => format!("t = {}, passes {}", brief(*t), percent(*passes)),
@@ -187,7 +199,7 @@ fn numbers(event: &Event) -> String {
         What::Limit { at, value, .. } => format!("{} met {}", number_list(&[*value]), number_list(&[*at])),
         What::Colour { total, .. } => brief_vector(*total),
         What::Written { srgb: [r, g, b], .. } => format!("sRGB {r}, {g}, {b}"),
-        _ => String::new(),
+        What::Object { .. } | What::Extent { .. } | What::Primitive { .. } | What::Medium { .. } => String::new(),
     }
 }
 

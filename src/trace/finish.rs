@@ -1,0 +1,194 @@
+//! What the surface carries at the hit (§ 6.3): the bump and the grain that turn its frame, and the texture that gives its
+//! colour. Where a material carries nothing, nothing of this is asked.
+
+use super::beam::Corner;
+use super::closest::Surface;
+use super::ray::Tracer;
+use crate::record::{self, Counter, Entry, Lookup, Recorder, What};
+use crate::scene::{Bumps, Coat, Material, MovingTexture, Rgb, Texture, mapped_part};
+use crate::shape::Primitive;
+use crate::texture::image::{ImageTexture, Place};
+use crate::texture::relief::{Frame, Rise, Site, raised, turning};
+use glam::{DAffine3, DVec2, DVec3};
+
+/// The surface, ready for the lights.
+pub(super) struct Finish<'a> {
+    pub material: &'a Material,
+    /// The ambient colour, with the texture's.
+    pub ambient: Rgb,
+    /// The diffuse colour, with the texture's.
+    pub diffuse: Rgb,
+    /// The frame that draws out highlights, with its roughness along the grain and across it.
+    pub grain: Option<(Frame, [f64; 2])>,
+}
+
+impl<'a> Tracer<'a> {
+    /// Finishes the surface: returns it with the normal that shading uses, and with its colours.
+    pub(super) fn finish<R: Recorder>(
+        &self,
+        surface: &Surface,
+        corners: Option<&[Corner; 4]>,
+        recorder: &mut R,
+    ) -> (Surface, Finish<'a>) {
+        let material = &self.scene.materials[surface.material];
+        let mut finish = Finish { material, ambient: material.ambient, diffuse: material.diffuse, grain: None };
+        let Some(coat) = &material.coat else { return (*surface, finish) };
+        let (surface, grain) = self.turn(surface, coat, recorder);
+        finish.grain = grain;
+        if let Some(texture) = &coat.texture {
+            let pigment = self.pigment(&surface, texture, corners, recorder);
+            finish.ambient *= pigment;
+            finish.diffuse *= pigment;
+        }
+        (surface, finish)
+    }
+
+    /// Turns the normal by what the material's bump says, and the frame by its grain.
+    fn turn<R: Recorder>(
+        &self,
+        surface: &Surface,
+        coat: &Coat,
+        recorder: &mut R,
+    ) -> (Surface, Option<(Frame, [f64; 2])>) {
+        if coat.bump.is_none() && coat.frame.is_none() {
+            return (*surface, None);
+        }
+        let mut site = self.site(surface);
+        if let Some(bump) = &coat.bump {
+            recorder.count(Counter::Lookup(Lookup::Bump));
+            site.normal = self.bumped(surface, bump, &site, recorder);
+        }
+        let frame = coat.frame.as_ref().map(|coat| {
+            recorder.count(Counter::Lookup(Lookup::Frame));
+            (coat.grain.frame(&site, coat.roughness, recorder), coat.roughness)
+        });
+        let normal = frame.map_or(site.normal, |(frame, _)| frame.normal);
+        // From within, all of it is seen from behind.
+        let is_behind = surface.n_geometric.dot(surface.n_shading) < 0.0;
+        let facing = |frame: Frame| if is_behind { Frame { normal: -frame.normal, ..frame } } else { frame };
+        let n_shading = if is_behind { -normal } else { normal };
+        (Surface { n_shading, ..*surface }, frame.map(|(frame, roughness)| (facing(frame), roughness)))
+    }
+
+    /// The place on the surface as bumps and grain ask for it.
+    fn site(&self, surface: &Surface) -> Site {
+        let leaf = self.leaf(surface.object, &surface.boundary);
+        let (generic, part) = (leaf.placement.generic_point(surface.point), surface.boundary.part);
+        let world_from_generic = leaf.placement.world_from_generic();
+        let object_from_world = self.object_from_world(surface);
+        Site {
+            texture_point: object_from_world.transform_point3(surface.point),
+            texture_from_world: object_from_world.matrix3,
+            uv: leaf.shape.uv(generic, part),
+            tangents: leaf.shape.tangents(generic, part).map(|tangent| world_from_generic.transform_vector3(tangent)),
+            normal: surface.n_geometric,
+        }
+    }
+
+    fn bumped<R: Recorder>(&self, surface: &Surface, bumps: &Bumps, site: &Site, recorder: &mut R) -> DVec3 {
+        let leaf = self.leaf(surface.object, &surface.boundary);
+        let part = surface.boundary.part;
+        let turning = || {
+            turning(site.tangents, |beside| {
+                let generic = leaf.placement.generic_point(surface.point + beside);
+                let normal = leaf.placement.world_normal(leaf.shape.normal(generic, part));
+                if surface.boundary.flipped { -normal } else { normal }
+            })
+        };
+        match bumps {
+            Bumps::Procedure { bump, .. } => bump.normal(site, turning, recorder),
+            Bumps::Image { image, parts, height } => {
+                let part = mapped_part(parts, leaf.part(&surface.boundary));
+                let (share, slopes) = image.height_and_slopes(site.uv, part);
+                let rise = Rise { height: height * share, slopes: slopes.map(|slope| height * slope) };
+                raised(bumps.kind(), site, rise, turning, recorder)
+            }
+        }
+    }
+
+    /// The texture's colour.
+    fn pigment<R: Recorder>(
+        &self,
+        surface: &Surface,
+        texture: &Texture,
+        corners: Option<&[Corner; 4]>,
+        recorder: &mut R,
+    ) -> Rgb {
+        match texture {
+            Texture::Image { image, parts } => {
+                recorder.count(Counter::Lookup(Lookup::Image));
+                let uv = self.uv(surface, surface.point);
+                recorder.event(
+                    |recorder| self.from_image(surface, uv, (image, parts), corners, recorder),
+                    |colour| self.describe_texture(surface, "image", uv.extend(0.0), *colour),
+                )
+            }
+            Texture::Solid(moving) => {
+                recorder.count(Counter::Lookup(Lookup::Solid));
+                let point = self.texture_point(surface, moving);
+                recorder.event(
+                    |recorder| moving.texture.colour(point, recorder),
+                    |colour| {
+                        let entry = self.describe_texture(surface, moving.kind(), point, *colour);
+                        moving.texture.lines(point, entry)
+                    },
+                )
+            }
+        }
+    }
+
+    fn from_image(
+        &self,
+        surface: &Surface,
+        uv: DVec2,
+        (image, parts): (&ImageTexture, &[String]),
+        corners: Option<&[Corner; 4]>,
+        recorder: &mut impl Recorder,
+    ) -> Rgb {
+        let leaf = self.leaf(surface.object, &surface.boundary);
+        let part_name = leaf.part(&surface.boundary);
+        let place = Place {
+            uv,
+            part: mapped_part(parts, part_name),
+            part_name,
+            corners: corners.map(|corners| corners.map(|corner| self.uv(surface, corner.point))),
+            off_the_surface: corners.map_or(0, |corners| corners.iter().filter(|corner| !corner.on_surface).count()),
+            period: leaf.shape.uv_period(surface.boundary.part),
+        };
+        image.colour(&place, recorder)
+    }
+
+    /// (u, v) of a point on the part of the primitive that was hit.
+    fn uv(&self, surface: &Surface, point: DVec3) -> DVec2 {
+        let leaf = self.leaf(surface.object, &surface.boundary);
+        leaf.shape.uv(leaf.placement.generic_point(point), surface.boundary.part)
+    }
+
+    /// The hit in the space of a solid texture.
+    fn texture_point(&self, surface: &Surface, moving: &MovingTexture) -> DVec3 {
+        let in_object = self.object_from_world(surface).transform_point3(surface.point);
+        moving.texture_from_object.transform_point3(in_object)
+    }
+
+    /// From the world to the space of the solid that names the surface's material.
+    fn object_from_world(&self, surface: &Surface) -> DAffine3 {
+        let coats = self.scene.objects[surface.object].coats.as_deref().unwrap_or_default();
+        coats.get(surface.boundary.leaf).map_or(DAffine3::IDENTITY, |leaf| leaf.object_from_world)
+    }
+
+    fn describe_texture(&self, surface: &Surface, name: &str, point: DVec3, colour: Rgb) -> Entry {
+        let material = self.material(surface);
+        let bindings = [
+            ("m_a", material.ambient.to_array().into()),
+            ("m_d", material.diffuse.to_array().into()),
+            ("C", colour.to_array().into()),
+        ];
+        Entry::new(What::Texture(record::Texture {
+            texture: name.to_owned(),
+            point: point.to_array(),
+            colour: colour.to_array(),
+        }))
+        .line("k_a", "m_a C", &bindings, (material.ambient * colour).to_array())
+        .line("k_d", "m_d C", &bindings, (material.diffuse * colour).to_array())
+    }
+}

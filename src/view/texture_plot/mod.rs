@@ -1,0 +1,48 @@
+//! What a surface carries as a drawing: the pixel on the texels, a lattice cell, octaves, a spline, rings, a bump, a frame,
+//! the environment, a detail.
+//!
+//! One file for each kind of event, all of one signature: a [`Sheet`] and what the event holds.
+
+mod bump;
+mod chart;
+mod clip;
+mod detail;
+mod environment;
+mod frame_map;
+mod lattice;
+mod octaves;
+mod rings;
+mod sheet;
+mod telling;
+#[cfg(test)]
+mod tests;
+mod texels;
+mod undulate;
+
+use super::drawing::Drawing;
+use super::palette::Theme;
+use crate::record::{EventId, What};
+use crate::trace::RayTree;
+use sheet::Sheet;
+use telling::{footprint_of, point_of, telling};
+
+/// The drawing of a look-up, bump, frame or detail: that of `selected` itself, or of the most telling one that belongs to
+/// it (to a texture: what is below it; to a hit: what its surface carries).
+#[must_use]
+pub fn texture_plot(tree: &RayTree, selected: EventId, size: [f64; 2], theme: Theme) -> Option<Drawing> {
+    let event = telling(tree, selected)?;
+    let mut sheet = Sheet::new(size, theme, event);
+    match &tree.event(event).what {
+        What::Mapping(_) | What::Texels(_) => texels::draw(&mut sheet, &footprint_of(tree, event)),
+        What::Lattice(lattice) => lattice::draw(&mut sheet, lattice),
+        What::Octaves(octaves) => octaves::draw(&mut sheet, octaves),
+        What::Undulate(undulate) => undulate::draw(&mut sheet, undulate),
+        What::Rings(rings) => rings::draw(&mut sheet, rings, point_of(tree, event)),
+        What::Bump(bump) => bump::draw(&mut sheet, bump),
+        What::FrameMap(frame) => frame_map::draw(&mut sheet, frame),
+        What::Environment(environment) => environment::draw(&mut sheet, environment),
+        What::Detail(detail) => detail::draw(&mut sheet, detail),
+        _ => return None,
+    }
+    Some(sheet.drawing)
+}
