@@ -285,9 +285,7 @@ impl Torus {
         let q = number(4.0) * quartic.quarter_q;
         let q = report::measured(q, scale * scale * scale);
         let r = report::measured(quartic.r, scale * scale * scale * scale);
-        for tau in &mut roots {
-            *tau *= scale;
-        }
+        roots.iter_mut().for_each(|tau| *tau *= scale);
         roots.sort_by(f64::total_cmp);
         let ([l_x, l_y, _], [c_x, c_y, _]) = (nearest.value, ray.course());
         let bindings = [
