@@ -13,7 +13,7 @@ use std::path::Path;
 /// Columns and rows: enough for all that is in the scenes, few enough for the slowest of them.
 const SIZE: Image = Image { width: 160, height: 120 };
 
-const PEERS: [&str; 8] = [
+const PEERS: [&str; 9] = [
     "a_spheres",
     "b_tori",
     "c_superellipsoids",

@@ -274,7 +274,7 @@ impl Primitive for Torus {
 
 impl Torus {
     /// The quartic in the shared t, with its working.
-    fn entry<A: Real>(self, ray: &GenericRay<A>, quartic: &Quartic<A>, mut roots: Vec<f64>) -> Entry {
+    fn entry<A: Real>(self, ray: &GenericRay<A>, quartic: &Quartic<A>, roots: Vec<f64>) -> Entry {
         let scale = ray.t_per_tau;
         let (line, number) = (&quartic.line, A::from_f64);
         let foot = report::measured(line.foot, scale);
@@ -285,9 +285,7 @@ impl Torus {
         let q = number(4.0) * quartic.quarter_q;
         let q = report::measured(q, scale * scale * scale);
         let r = report::measured(quartic.r, scale * scale * scale * scale);
-        for tau in &mut roots {
-            *tau *= scale;
-        }
+        let mut roots: Vec<_> = roots.into_iter().map(|tau| tau * scale).collect();
         roots.sort_by(f64::total_cmp);
         let ([l_x, l_y, _], [c_x, c_y, _]) = (nearest.value, ray.course());
         let bindings = [

@@ -100,7 +100,7 @@ impl Grain {
     pub fn at_time(&mut self, time: f64) {
         match self {
             Self::Brushed { noise, .. } | Self::Fibre { turbulence: Turbulence { noise, .. }, .. } => {
-                noise.at_time(time)
+                noise.at_time(time);
             }
             Self::Woven { .. } => {}
         }

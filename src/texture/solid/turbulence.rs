@@ -78,7 +78,7 @@ impl Turbulence {
             frequency *= 2.0;
             weight *= self.gain;
         }
-        recorder.end(|| more(self.describe(rows, sum), sum));
+        recorder.end(|| more(describe(rows, sum), sum));
         sum
     }
 
@@ -101,18 +101,18 @@ impl Turbulence {
     pub(super) fn places(&self, p: DVec3) -> [DVec3; 3] {
         [p, p + APART[0] / self.scale, p + APART[1] / self.scale]
     }
+}
 
-    fn describe(&self, rows: Vec<Octave>, sum: f64) -> Entry {
-        let mut lines = Vec::new();
-        let mut so_far = 0.0;
-        for row in &rows {
-            let bindings: [Binding; 3] = [("T", so_far.into()), ("w", row.weight.into()), ("n", row.noise.into())];
-            so_far += row.term;
-            lines.push((bindings, so_far));
-        }
-        let entry = Entry::new(What::Octaves(Octaves { rows, sum }));
-        lines.iter().fold(entry, |entry, (bindings, sum)| entry.line("T", "T + w n", bindings, *sum))
+fn describe(rows: Vec<Octave>, sum: f64) -> Entry {
+    let mut lines = Vec::new();
+    let mut so_far = 0.0;
+    for row in &rows {
+        let bindings: [Binding; 3] = [("T", so_far.into()), ("w", row.weight.into()), ("n", row.noise.into())];
+        so_far += row.term;
+        lines.push((bindings, so_far));
     }
+    let entry = Entry::new(What::Octaves(Octaves { rows, sum }));
+    lines.iter().fold(entry, |entry, (bindings, sum)| entry.line("T", "T + w n", bindings, *sum))
 }
 
 #[cfg(test)]
