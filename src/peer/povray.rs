@@ -23,6 +23,7 @@ const FAR_AWAY: f64 = 1e6;
 /// Says which part of the scene cannot be said in SDL, and why.
 pub fn to_povray(scene: &Scene) -> Result<String, String> {
     no_overlapping_media(scene)?;
+    nothing_but_colours_around(scene)?;
     let Image { width, height } = scene.image;
     let mut sdl = format!("// {}\n// povray +W{width} +H{height} +ITHIS_FILE\n#version 3.7;\n", comment(&scene.title));
     let _ = writeln!(
@@ -45,6 +46,18 @@ pub fn to_povray(scene: &Scene) -> Result<String, String> {
         sdl += &self::object(scene, object)?;
     }
     Ok(sdl)
+}
+
+/// Pictures lie in other files, and details have no equal.
+fn nothing_but_colours_around(scene: &Scene) -> Result<(), String> {
+    if scene.environment.is_some() {
+        return Err("environment: pictures are not written".to_owned());
+    }
+    let has_details = |object: &&Object| object.coats.iter().flatten().any(|coat| !coat.details.is_empty());
+    match scene.objects.iter().find(has_details) {
+        Some(object) => Err(format!("object `{}`: polygons on faces have no equal in POV-Ray's language", object.name)),
+        None => Ok(()),
+    }
 }
 
 /// POV-Ray takes the most recently entered medium for the one that a ray is in, and bends the ray at every boundary.

@@ -1,16 +1,16 @@
 //! From what a file says about a surface to what the tracer asks.
 
 use super::SceneEnvironment;
+use super::around_file::{EnvironmentFile, EnvironmentFilterFile, LayoutFile};
 use super::coat::{Bumps, Coat, Texture};
 use super::file::{MaterialFile, MirrorsFile};
 use super::files::Files;
 use super::pictures::{decode, decode_heights};
 use super::problem::{Path, Problems};
+use super::relief_file::BumpFile;
 use super::relief_reader::{bump, grain};
 use super::solid_texture_reader::{Fault, solid_texture};
-use super::texture_file::{
-    BumpFile, EnvironmentFile, EnvironmentFilterFile, FilterFile, LayoutFile, MapFile, TextureFile, WrapFile,
-};
+use super::texture_file::{FilterFile, MapFile, TextureFile, WrapFile};
 use crate::texture::image::{Affine, Environment, Filter, ImageTexture, Layout, Mapping, Texels, Wrap, Wraps};
 use std::collections::BTreeMap;
 use std::sync::Arc;

@@ -5,8 +5,10 @@
 //! the others from being looked at.
 
 use super::SolidFile;
+use super::around_file::EnvironmentFile;
 use super::lenient::Lenient;
-use super::texture_file::{BumpFile, EnvironmentFile, FrameFile, TextureFile};
+use super::relief_file::{BumpFile, FrameFile};
+use super::texture_file::TextureFile;
 use schemars::{JsonSchema, Schema};
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};

@@ -3,6 +3,7 @@
 //! [`load`] takes text to a [`Scene`] or to *all* of its errors. After compiling, every default and reference is
 //! resolved; nobody asks again.
 
+mod around_file;
 mod check;
 mod coat;
 mod coat_reader;
@@ -18,6 +19,7 @@ mod object_index;
 mod pictures;
 mod problem;
 mod projection;
+mod relief_file;
 mod relief_reader;
 mod rules;
 mod sight;
@@ -28,6 +30,7 @@ mod source;
 mod texture_file;
 mod transform;
 
+pub use around_file::{DetailFile, EnvironmentFile, EnvironmentFilterFile, LayoutFile};
 pub use coat::{Bumps, Coat, GrainCoat, LeafCoat, MovingTexture, Texture, mapped_part};
 pub use compile::{load, load_with};
 pub use detail::Detail;
@@ -45,10 +48,8 @@ pub use model::{
 pub use object_index::ObjectIndex;
 pub use pictures::{decode, decode_heights};
 pub use projection::Projection;
+pub use relief_file::{BumpFile, FrameFile};
 pub use sight::{Candidate, LightSight, Sight, Sights};
 pub use solid_file::{HalfSpaceFile, Scale, SolidFile, Transform};
 pub use solids::compile_solid;
-pub use texture_file::{
-    BumpFile, DetailFile, EnvironmentFile, EnvironmentFilterFile, FilterFile, FrameFile, LayoutFile, MapFile,
-    NoiseFile, StopFile, TextureFile, TurbulenceFile, WarpFile, WrapFile,
-};
+pub use texture_file::{FilterFile, MapFile, NoiseFile, StopFile, TextureFile, TurbulenceFile, WarpFile, WrapFile};

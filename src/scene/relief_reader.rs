@@ -1,8 +1,9 @@
 //! From what a file says about bumps and grain to what the tracer asks.
 
 use super::coat::GrainCoat;
+use super::relief_file::{BumpFile, FrameFile};
 use super::solid_texture_reader::{Fault, TIME_PER_STIR, turbulence};
-use super::texture_file::{BumpFile, FrameFile, TurbulenceFile};
+use super::texture_file::TurbulenceFile;
 use crate::texture::relief::{Bump, Facets, Grain};
 use crate::texture::solid::{Noise, NoiseKind, Turbulence};
 use glam::{DVec2, DVec3};

@@ -2,8 +2,8 @@
 //!
 //! The primitives come from the one list, [`for_each_shape!`](crate::for_each_shape).
 
+use super::around_file::DetailFile;
 use super::lenient::Lenient;
-use super::texture_file::DetailFile;
 use crate::for_each_shape;
 use crate::shape::HalfSpace;
 use glam::DVec3;

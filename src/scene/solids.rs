@@ -1,11 +1,11 @@
 //! From solids in a file to placed primitives in a binary tree.
 
+use super::around_file::DetailFile;
 use super::check::check;
 use super::lenient::Lenient;
 use super::problem::{Path, Problems};
 use super::rules::Rules;
 use super::solid_file::{Common, Parameter, SolidFile};
-use super::texture_file::DetailFile;
 use super::{Detail, Material};
 use crate::csg::{Leaf, Placement, Solid};
 use crate::for_each_shape;

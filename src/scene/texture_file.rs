@@ -265,187 +265,7 @@ texture_variants! {
         stops: Vec<StopFile>,
     }
 }
-
-/// Turns the normal as if the surface were raised, without moving it.
-#[derive(Clone, Debug, Deserialize, Serialize, JsonSchema)]
-#[serde(tag = "kind", rename_all = "snake_case")]
-#[schemars(deny_unknown_fields)]
-pub enum BumpFile {
-    /// Raised by noise of several sizes.
-    Noise {
-        /// How high, in the world's units; less than 0 turns hills into hollows.
-        height: f64,
-        /// The noise.
-        #[serde(default)]
-        turbulence: TurbulenceFile,
-        /// How fast it is stirred: turns of the slowest part in 1,000 frames.
-        #[serde(default)]
-        stir: f64,
-    },
-    /// Raised by ripples about an axis.
-    Waves {
-        /// How high, in the world's units.
-        height: f64,
-        /// From crest to crest.
-        #[serde(default = "one")]
-        #[schemars(extend("exclusiveMinimum" = 0))]
-        length: f64,
-        /// A point of the axis.
-        #[serde(default)]
-        centre: [f64; 3],
-        /// How fast they run outwards: wave lengths in 1,000 frames.
-        #[serde(default)]
-        speed: f64,
-    },
-    /// Small facets, each turned at random.
-    Facets {
-        /// The size of the cubes that hold one facet each.
-        #[serde(default = "tenth")]
-        #[schemars(extend("exclusiveMinimum" = 0))]
-        size: f64,
-        /// The greatest tilt in degrees.
-        #[schemars(range(min = 0.0, max = 80.0))]
-        tilt: f64,
-        /// Another seed is another pattern.
-        #[serde(default = "first_seed")]
-        seed: u32,
-    },
-    /// Raised by a picture: black is low and white is high.
-    Image {
-        /// How high white is, in the world's units.
-        height: f64,
-        /// The picture, by its path from the scene's folder.
-        file: String,
-        /// How (u, v) of the surface follow from (s, t) of the picture.
-        #[serde(default = "identity")]
-        uv_from_st: MapFile,
-        /// The same for single parts of the surface.
-        #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
-        parts: BTreeMap<String, MapFile>,
-        /// How it goes on beyond its edges.
-        #[serde(default)]
-        wrap: WrapFile,
-    },
-}
-
-/// Turns the whole frame of the surface, with a grain along which highlights are drawn out.
-#[derive(Clone, Debug, Deserialize, Serialize, JsonSchema)]
-#[serde(tag = "kind", rename_all = "snake_case")]
-#[schemars(deny_unknown_fields)]
-pub enum FrameFile {
-    /// Metal brushed along u.
-    Brushed {
-        /// Roughness along the grain and across it.
-        #[serde(default = "brushed_roughness")]
-        #[schemars(inner(range(min = 0.01, max = 1.0)))]
-        roughness: [f64; 2],
-        /// How far the streaks turn the grain at most, in degrees.
-        #[serde(default = "five")]
-        waver: f64,
-        /// How many streaks there are on the way across the surface.
-        #[serde(default = "hundred")]
-        streaks: f64,
-        /// Another seed is another pattern.
-        #[serde(default = "first_seed")]
-        seed: u32,
-    },
-    /// Cloth of threads along u and v that pass over and under each other.
-    Woven {
-        /// Roughness along a thread and across it.
-        #[serde(default = "woven_roughness")]
-        #[schemars(inner(range(min = 0.01, max = 1.0)))]
-        roughness: [f64; 2],
-        /// Threads on the way along u and along v.
-        #[serde(default = "threads")]
-        threads: [f64; 2],
-        /// How round a thread is: the slope at its edges.
-        #[serde(default = "half")]
-        #[schemars(range(min = 0.0, max = 4.0))]
-        roundness: f64,
-    },
-    /// Streaks of wood along an axis.
-    Grain {
-        /// Roughness along the grain and across it.
-        #[serde(default = "grain_roughness")]
-        #[schemars(inner(range(min = 0.01, max = 1.0)))]
-        roughness: [f64; 2],
-        /// The direction of the grain, of any length.
-        #[serde(default = "z_axis")]
-        axis: [f64; 3],
-        /// How far the streaks turn the grain at most, in degrees.
-        #[serde(default = "five")]
-        waver: f64,
-        /// The size of the streaks.
-        #[serde(default = "tenth")]
-        #[schemars(extend("exclusiveMinimum" = 0))]
-        size: f64,
-        /// Another seed is another pattern.
-        #[serde(default = "first_seed")]
-        seed: u32,
-    },
-}
-
-/// Light from infinitely far away, as a picture of it in all directions.
-#[derive(Clone, Debug, Deserialize, Serialize, JsonSchema)]
-#[schemars(deny_unknown_fields)]
-pub struct EnvironmentFile {
-    /// The picture: PNG, JPEG, Radiance HDR or `OpenEXR`, by its path from the scene's folder.
-    pub file: String,
-    /// How directions lie in it.
-    #[serde(default)]
-    pub layout: LayoutFile,
-    /// How far it is turned about the z axis, in degrees.
-    #[serde(default)]
-    pub turn: f64,
-    /// Whether it is averaged over what a pixel sees of it, or the nearest texel is taken.
-    #[serde(default)]
-    pub filter: EnvironmentFilterFile,
-}
-
-/// How directions lie in the picture of an environment.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum LayoutFile {
-    /// Longitude across and latitude down: the top row is straight up.
-    #[default]
-    LatitudeLongitude,
-    /// The six faces of a cube, unfolded to a cross, 4 × 3 or 3 × 4.
-    Cross,
-}
-
-/// How the environment is looked up.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum EnvironmentFilterFile {
-    /// The average over the solid angle that the pixel sees.
-    #[default]
-    Area,
-    /// The nearest texel.
-    Nearest,
-}
-
-/// A polygon that lies on a flat part of a primitive and takes precedence over it.
-#[derive(Clone, Debug, Deserialize, Serialize, JsonSchema)]
-#[schemars(deny_unknown_fields)]
-pub struct DetailFile {
-    /// The part that it lies on, such as `top`; the only one if left out.
-    #[serde(default, skip_serializing_if = "String::is_empty")]
-    pub part: String,
-    /// Its corners (u, v).
-    #[schemars(length(min = 3))]
-    pub polygon: Vec<[f64; 2]>,
-    /// The name of its material.
-    pub material: String,
-    /// How often it repeats along u and v; its corners are then those in one cell, from 0 to 1.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[schemars(with = "[u32; 2]", inner(range(min = 1)))]
-    pub repeat: Option<[u32; 2]>,
-    /// Polygons that lie on this one, in the same coordinates.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub details: Vec<Self>,
-}
-
-fn identity() -> MapFile {
+pub(super) fn identity() -> MapFile {
     [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]
 }
 
@@ -475,35 +295,19 @@ fn dark_wood() -> Colour {
     Colour([0.3, 0.14, 0.05])
 }
 
-fn z_axis() -> [f64; 3] {
+pub(super) fn z_axis() -> [f64; 3] {
     [0.0, 0.0, 1.0]
 }
 
-fn one() -> f64 {
+pub(super) fn one() -> f64 {
     1.0
 }
 
-fn half() -> f64 {
-    0.5
-}
-
-fn tenth() -> f64 {
+pub(super) fn tenth() -> f64 {
     0.1
 }
 
-fn five() -> f64 {
-    5.0
-}
-
-fn hundred() -> f64 {
-    100.0
-}
-
-fn threads() -> [f64; 2] {
-    [40.0, 40.0]
-}
-
-fn first_seed() -> u32 {
+pub(super) fn first_seed() -> u32 {
     1
 }
 
@@ -513,16 +317,4 @@ fn marble_frequency() -> f64 {
 
 fn marble_amount() -> f64 {
     5.0
-}
-
-fn brushed_roughness() -> [f64; 2] {
-    [0.4, 0.08]
-}
-
-fn woven_roughness() -> [f64; 2] {
-    [0.3, 0.15]
-}
-
-fn grain_roughness() -> [f64; 2] {
-    [0.3, 0.1]
 }

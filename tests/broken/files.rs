@@ -76,7 +76,7 @@ pub const FILES: &[Case] = &[
         text: r#"{"colour": 1}"#,
         place: "1:2 at colour",
         message: "unknown field `colour`",
-        help: "the fields here are `$schema`, `title`, `about`, `sections`, `camera`, `image`, `ambient`, `background`, `lights`, `materials`, `solids`, `objects`, `media`, `limits`, `pixels`",
+        help: "the fields here are `$schema`, `title`, `about`, `sections`, `camera`, `image`, `ambient`, `background`, `environment`, `frame`, `lights`, `materials`, `solids`, `objects`, `media`, `limits`, `pixels`",
     },
     Case {
         text: r#"{"camrea": {}}"#,
@@ -244,7 +244,7 @@ pub const FILES: &[Case] = &[
         text: r#"{"materials": {"clay": {"shininess": 20}}}"#,
         place: "1:25 at materials.clay.shininess",
         message: "unknown field `shininess`",
-        help: "the fields here are `ambient`, `diffuse`, `specular`, `exponent`, `reflectivity`, `transparency`, `index_of_refraction`",
+        help: "the fields here are `ambient`, `diffuse`, `specular`, `exponent`, `reflectivity`, `transparency`, `index_of_refraction`, `texture`, `bump`, `frame`, `mirrors`",
     },
     Case {
         text: r#"{"materials": []}"#,

@@ -56,7 +56,7 @@ pub const OBJECTS: &[Case] = &[
         text: r#"{"shape": "sphere", "radius": 2, "material": "glass"}"#,
         place: "4:21 at objects[0].radius",
         message: "unknown field `radius`",
-        help: "the fields here are `shape`, `name`, `material`, `priority`, `transform`",
+        help: "the fields here are `shape`, `name`, `material`, `priority`, `transform`, `details`",
     },
     Case {
         text: r#"{"shape": "union", "of": [{"shape": "sphere", "name": "left"}, {"shape": "cube", "material": "clay"}]}"#,
