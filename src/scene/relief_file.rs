@@ -141,13 +141,13 @@ fn threads() -> [f64; 2] {
 }
 
 fn brushed_roughness() -> [f64; 2] {
-    [0.4, 0.08]
+    [0.08, 0.4]
 }
 
 fn woven_roughness() -> [f64; 2] {
-    [0.3, 0.15]
+    [0.15, 0.3]
 }
 
 fn grain_roughness() -> [f64; 2] {
-    [0.3, 0.1]
+    [0.1, 0.3]
 }

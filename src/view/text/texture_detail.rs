@@ -86,7 +86,7 @@ pub(super) fn explain_texture(what: &What) -> Option<&'static str> {
         }
         What::FrameMap(_) => {
             "Not the normal alone but the whole frame is changed: T along the grain, B across it, and N. Brushed metal, \
-             wood and cloth are smoother along the grain than across it, so that their highlight follows T."
+             wood and cloth are smoother along the grain than across it, so that their highlight is drawn out across T."
         }
         What::Environment(Environment { footprint, .. }) if footprint.is_empty() => {
             "The surroundings are an image that is infinitely far away, so the direction alone says what is seen. The \
