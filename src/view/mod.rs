@@ -17,6 +17,9 @@ mod palette;
 mod sample;
 #[cfg(test)]
 mod sample_texture;
+mod scan_drawing;
+mod scan_text;
+mod scene_colour;
 mod side_view;
 mod sign_plot;
 mod svg;
@@ -29,6 +32,8 @@ pub use interval_bars::interval_bars;
 pub use log_plot::{Curve, LogPlot, Panel, Scale, log_plot};
 pub use paint::{Pixels, paint, png};
 pub use palette::{Colour, Palette, Theme};
+pub use scan_drawing::scan_drawing;
+pub use scan_text::scan_text;
 pub use side_view::{PlaneView, SectionPlane, SideViewOptions, side_view, side_view_plane};
 pub use sign_plot::sign_plot;
 pub use svg::svg;
