@@ -1,6 +1,7 @@
 //! The command line: one file for each command.
 
 mod bench;
+mod drawn;
 mod export;
 mod failure;
 mod frames;
@@ -9,6 +10,7 @@ mod output;
 mod probe;
 mod progress;
 mod render;
+mod scan;
 mod scene_argument;
 mod scenes;
 mod schema;
@@ -16,6 +18,7 @@ mod stability;
 mod stability_plots;
 mod stats;
 mod trace;
+mod trace_drawing;
 
 pub use probe::answers;
 
@@ -28,6 +31,7 @@ Examples:
   rayscope open scenes/csg/bowl.json            open it on a scene of your own
   rayscope render csg/bowl -o bowl.png          render a picture
   rayscope trace csg/bowl --pixel 320,240       print everything that a pixel's ray did
+  rayscope scan textures/scanning               texture scanning beside inverse scanning
   rayscope export --povray csg/bowl             write a scene for POV-Ray
   rayscope scenes                               list the scenes that come with the program
   rayscope bench --peer povray                  time the benchmark scenes beside POV-Ray
@@ -55,6 +59,7 @@ enum Command {
     Open(open::Open),
     Render(render::Render),
     Trace(trace::Trace),
+    Scan(scan::Scan),
     Probe(probe::Probe),
     Export(export::Export),
     Scenes(scenes::Scenes),
@@ -75,6 +80,7 @@ pub fn run() -> ExitCode {
         Some(Command::Open(open)) => open.run(),
         Some(Command::Render(render)) => render.run(),
         Some(Command::Trace(trace)) => trace.run(),
+        Some(Command::Scan(scan)) => scan.run(),
         Some(Command::Probe(probe)) => probe.run(),
         Some(Command::Export(export)) => export.run(),
         Some(Command::Scenes(scenes)) => scenes.run(),

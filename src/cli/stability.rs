@@ -1,9 +1,10 @@
 //! `rayscope stability`: how right the solvers are, as a table, as data, or as plots.
 
+use super::drawn::Theme;
 use super::failure::Failure;
 use super::output::Output;
 use super::progress::{stop_on_ctrl_c, with_bar};
-use super::stability_plots::{PlotKind, Theme, Watch, drawn, write_all};
+use super::stability_plots::{PlotKind, Watch, plotted, write_all};
 use crate::accuracy::{self, Contender, Row, SHAPES, Subject, subject};
 use clap::{Args, ValueEnum};
 use serde::Serialize;
@@ -142,7 +143,7 @@ impl Stability {
         };
         let as_png = self.output.as_deref().and_then(Path::extension).is_some_and(|ending| ending == "png");
         let output = Output::create(self.output.as_deref())?;
-        let work = || drawn(kind, subject, self.theme, as_png, watch);
+        let work = || plotted(kind, subject, self.theme, as_png, watch);
         output.write(&with_bar(kind.places(), || watch.done.load(Ordering::Relaxed), work)?)
     }
 

@@ -1,5 +1,6 @@
 //! The plots of `rayscope stability`: the solvers followed into the distance and towards tangents.
 
+use super::drawn::{self, Theme};
 use super::failure::{Failure, reason};
 use super::output::Output;
 use crate::accuracy::{Place, Question, Subject, experiment, plot};
@@ -9,9 +10,8 @@ use std::fs;
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
-/// Plots are this large, in points, and PNGs have two pixels a point.
+/// Plots are this large, in points.
 const SIZE: [f64; 2] = [760.0, 560.0];
-const PIXELS_PER_POINT: f32 = 2.0;
 
 /// What is plotted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -20,15 +20,6 @@ pub enum PlotKind {
     Distance,
     /// Error and wrong answers against the gap between the ray and a tangent or edge
     Tangency,
-}
-
-/// Colours of plots.
-#[derive(Clone, Copy, Debug, ValueEnum)]
-pub enum Theme {
-    /// Dark on white
-    Light,
-    /// Light on black
-    Dark,
 }
 
 impl PlotKind {
@@ -66,7 +57,13 @@ pub struct Watch<'a> {
 }
 
 /// The plot of one subject, as SVG or PNG.
-pub fn drawn(kind: PlotKind, subject: &Subject, theme: Theme, as_png: bool, watch: &Watch) -> Result<Vec<u8>, Failure> {
+pub fn plotted(
+    kind: PlotKind,
+    subject: &Subject,
+    theme: Theme,
+    as_png: bool,
+    watch: &Watch,
+) -> Result<Vec<u8>, Failure> {
     let count = || {
         watch.done.fetch_add(1, Ordering::Relaxed);
     };
@@ -74,12 +71,8 @@ pub fn drawn(kind: PlotKind, subject: &Subject, theme: Theme, as_png: bool, watc
     if watch.stopped.load(Ordering::Relaxed) {
         return Err(Failure::interrupted("interrupted; the plot that was being worked on was not written"));
     }
-    let theme = match theme {
-        Theme::Light => view::Theme::Light,
-        Theme::Dark => view::Theme::Dark,
-    };
-    let drawing = log_plot(&plot(kind.question(), subject, &places), SIZE, theme);
-    Ok(if as_png { view::png(&drawing, PIXELS_PER_POINT) } else { view::svg(&drawing).into_bytes() })
+    let drawing = log_plot(&plot(kind.question(), subject, &places), SIZE, theme.into());
+    Ok(if as_png { drawn::png(&drawing) } else { view::svg(&drawing).into_bytes() })
 }
 
 /// All plots of the subjects as SVG files in a folder, which is made if it is not there.
@@ -90,7 +83,7 @@ pub fn write_all(folder: &Path, subjects: &[Subject], theme: Theme, watch: &Watc
     for subject in subjects {
         for kind in PlotKind::ALL {
             let output = Output::create(Some(&folder.join(kind.file_name(subject))))?;
-            output.write(&drawn(kind, subject, theme, false, watch)?)?;
+            output.write(&plotted(kind, subject, theme, false, watch)?)?;
         }
     }
     Ok(())

@@ -1,18 +1,16 @@
 //! `rayscope trace`: the whole story of one pixel or ray, as text, data or drawing.
 
+use super::drawn::{self, Theme, with_newline};
 use super::failure::Failure;
 use super::output::Output;
 use super::scene_argument::{SceneArgument, SizeArguments};
+use super::trace_drawing::TraceDrawing;
 use crate::scene::Scene;
 use crate::trace::{RayTree, TraceFile, record_pixel, record_ray};
-use crate::view::{self, SectionPlane, SideViewOptions};
+use crate::view::{Drawing, tree_text};
 use clap::{Args, ValueEnum};
 use glam::DVec3;
 use std::path::PathBuf;
-
-/// Drawings are this large, in points, and PNGs have two pixels a point.
-const DRAWING_SIZE: [f64; 2] = [960.0, 600.0];
-const PIXELS_PER_POINT: f32 = 2.0;
 
 /// Show everything that the ray of one pixel did
 #[derive(Args, Debug)]
@@ -22,7 +20,8 @@ Examples:
   rayscope trace csg/bowl --pixel 320,240                 (0,0) is the top left pixel
   rayscope trace csg/bowl --ray 0,0,9,0,0,-1              a ray of your own: origin, direction
   rayscope trace csg/bowl --format json -o bowl.json      as data; `rayscope schema trace` describes it
-  rayscope trace csg/bowl --format svg -o bowl.svg        the side view")]
+  rayscope trace csg/bowl --format svg -o bowl.svg        the side view
+  rayscope trace textures/filters --format png --drawing texture -o texels.png    the pixel on the texels")]
 pub struct Trace {
     #[command(flatten)]
     scene: SceneArgument,
@@ -37,6 +36,9 @@ pub struct Trace {
     /// What to write
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
+    /// Which drawing an SVG or PNG shows [default: side]
+    #[arg(long, value_enum)]
+    drawing: Option<TraceDrawing>,
     /// Colours of the drawing
     #[arg(long, value_enum, default_value_t = Theme::Light)]
     theme: Theme,
@@ -51,27 +53,24 @@ enum Format {
     Text,
     /// The same as JSON
     Json,
-    /// The side view as SVG
+    /// A drawing as SVG
     Svg,
-    /// The side view as PNG
+    /// A drawing as PNG
     Png,
-}
-
-#[derive(Clone, Copy, Debug, ValueEnum)]
-enum Theme {
-    /// Dark on white
-    Light,
-    /// Light on black
-    Dark,
 }
 
 impl Trace {
     /// Records the ray and writes it out.
     pub fn run(&self) -> Result<(), Failure> {
+        if self.drawing.is_some() && matches!(self.format, Format::Text | Format::Json) {
+            return Err(Failure::usage(
+                "--drawing says what a picture shows, so it needs --format svg or --format png",
+            ));
+        }
         let scene = self.scene.load_sized(self.size)?;
         let output = Output::create(self.output.as_deref())?;
-        if self.format == Format::Png && output.is_terminal() {
-            return Err(Failure::usage("a PNG is no text for a terminal; name a file with -o"));
+        if self.format == Format::Png {
+            drawn::check_png_has_a_file(&output)?;
         }
         let tree = self.record(&scene)?;
         output.write(&self.written(&scene, &tree)?)
@@ -96,36 +95,18 @@ impl Trace {
 
     fn written(&self, scene: &Scene, tree: &RayTree) -> Result<Vec<u8>, Failure> {
         match self.format {
-            Format::Text => Ok(with_newline(view::tree_text(tree))),
+            Format::Text => Ok(with_newline(tree_text(tree))),
             Format::Json => serde_json::to_string(&TraceFile::new(self.scene.name(), tree))
                 .map(with_newline)
                 .map_err(|error| Failure::refused(error.to_string())),
-            Format::Svg => Ok(with_newline(view::svg(&self.drawing(scene, tree)))),
-            Format::Png => Ok(view::png(&self.drawing(scene, tree), PIXELS_PER_POINT)),
+            Format::Svg => Ok(drawn::svg(&self.drawn(scene, tree)?)),
+            Format::Png => Ok(drawn::png(&self.drawn(scene, tree)?)),
         }
     }
 
-    /// The side view with everything that happened up to the last event.
-    fn drawing(&self, scene: &Scene, tree: &RayTree) -> view::Drawing {
-        let options = SideViewOptions {
-            size: DRAWING_SIZE,
-            theme: match self.theme {
-                Theme::Light => view::Theme::Light,
-                Theme::Dark => view::Theme::Dark,
-            },
-            plane: SectionPlane::RayAndUp,
-            zoom: 1.0,
-            pan: [0.0, 0.0],
-        };
-        view::side_view(scene, tree, tree.end().saturating_sub(1), &options)
+    fn drawn(&self, scene: &Scene, tree: &RayTree) -> Result<Drawing, Failure> {
+        self.drawing.unwrap_or(TraceDrawing::Side).drawn(scene, tree, self.theme)
     }
-}
-
-fn with_newline(mut text: String) -> Vec<u8> {
-    if !text.ends_with('\n') {
-        text.push('\n');
-    }
-    text.into_bytes()
 }
 
 fn pixel(text: &str) -> Result<[u32; 2], String> {

@@ -89,7 +89,7 @@ pub(super) fn times(spans: &[Span]) -> String {
 }
 
 /// `1 hit`, `2 hits`.
-pub(super) fn count(n: usize, noun: &str) -> String {
+pub(in crate::view) fn count(n: usize, noun: &str) -> String {
     match n {
         0 => format!("no {noun}s"),
         1 => format!("1 {noun}"),

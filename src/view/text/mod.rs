@@ -10,6 +10,7 @@ mod texture_row;
 mod tree;
 
 pub use detail::{Detail, DetailLine, detail};
+pub(super) use format::count;
 pub use format::{brief, brief_vector, span_list};
 pub use row::{Row, row};
 pub(super) use texture_row::{angle_between, place, solid_angle, spoken};

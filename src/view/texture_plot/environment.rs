@@ -1,12 +1,16 @@
 //! The environment's map with the place that the direction points at, and what the pixel covers of it, enlarged.
 
 use super::chart::{Chart, bounds};
+use super::picture;
 use super::sheet::{Fact, SMALL, Sheet, is_roomy, rim, shown};
 use crate::record::Environment;
+use crate::texture::image::Texels;
 use crate::view::text::{brief, brief_vector, solid_angle};
 use crate::view::{Anchor, Form, Frame, Spot, Stroke};
 
-pub(super) fn draw(sheet: &mut Sheet, environment: &Environment) {
+/// `image` is that of the environment, where it is at hand.
+pub(super) fn draw(sheet: &mut Sheet, environment: &Environment, image: Option<&Texels>) {
+    let image = image.filter(|image| image.size() == environment.size);
     let covers = match environment.footprint.as_slice() {
         [] => String::new(),
         _ => format!(" The pixel covers {}.", solid_angle(environment.solid_angle)),
@@ -29,6 +33,9 @@ pub(super) fn draw(sheet: &mut Sheet, environment: &Environment) {
     let upper = if both { room.low[1] + 0.5 * room.size()[1] - 8.0 } else { room.high[1] };
     let Some(map) = whole_map(Frame { low: room.low, high: [room.high[0], upper] }, columns, rows) else { return };
     sheet.area(&map.frame, &[rim(&map.frame)], sheet.palette.panel);
+    if let Some(image) = image {
+        picture::draw(sheet, &map, image);
+    }
     creases(sheet, &map, environment);
     let outline = map.all_at(&environment.footprint);
     sheet.area(&map.frame, std::slice::from_ref(&outline), sheet.palette.bad.faded(0.35));
@@ -40,7 +47,7 @@ pub(super) fn draw(sheet: &mut Sheet, environment: &Environment) {
     }
     if let Some([low, high]) = corners.filter(|_| both && known) {
         let below = Frame { low: [room.low[0], upper + 24.0], high: room.high };
-        inset(sheet, environment, below, [low, high], &map);
+        inset(sheet, environment, below, [low, high], (&map, image));
     }
 }
 
@@ -109,13 +116,22 @@ fn creases(sheet: &mut Sheet, map: &Chart, environment: &Environment) {
 }
 
 /// What the pixel covers, enlarged, with the texels as a grid.
-fn inset(sheet: &mut Sheet, environment: &Environment, room: Frame, [low, high]: [Spot; 2], map: &Chart) {
+fn inset(
+    sheet: &mut Sheet,
+    environment: &Environment,
+    room: Frame,
+    [low, high]: [Spot; 2],
+    (map, image): (&Chart, Option<&Texels>),
+) {
     let low: Spot = std::array::from_fn(|i| low[i].min(environment.at[i]));
     let high: Spot = std::array::from_fn(|i| high[i].max(environment.at[i]));
     let air = 0.3 * (high[0] - low[0]).max(high[1] - low[1]).max(0.5);
     let chart = Chart::even(room, low.map(|x| x - air), high.map(|x| x + air), true);
     let Some(chart) = chart.filter(|_| is_roomy(&room)) else { return };
     sheet.area(&room, &[rim(&room)], sheet.palette.panel);
+    if let Some(image) = image {
+        picture::draw(sheet, &chart, image);
+    }
     sheet.whole_lines(&chart);
     let outline = chart.all_at(&environment.footprint);
     sheet.area(&room, std::slice::from_ref(&outline), sheet.palette.bad.faded(0.22));

@@ -22,6 +22,7 @@ pub(super) fn draw(sheet: &mut Sheet, map: &FrameMap) {
         Fact::Line(Stroke::solid(colours[2], 2.6), "N′, the normal".to_owned()),
         Fact::Swatch(sheet.palette.highlight.faded(0.35), format!("roughness {}", place(map.roughness))),
     ];
+    let facts: Vec<Fact> = facts.into_iter().chain(highlight(map.roughness).map(Fact::words)).collect();
     let (room, _) = sheet.facts(room, &facts);
     let [width, height] = room.size();
     let axes = map.before.map(DVec3::from_array);
@@ -69,6 +70,17 @@ fn roughness(
         let ellipse = circle(|cos, sin| view.at(std::array::from_fn(|i| along * cos * t[i] + across * sin * b[i])));
         sheet.area(room, std::slice::from_ref(&ellipse), sheet.palette.highlight.faded(0.35));
         sheet.outline(room, &ellipse, Stroke::solid(sheet.palette.highlight, 1.6));
+    }
+}
+
+/// What the roughness does: it is the spread of the surface's slopes, so a highlight is drawn out where it is larger.
+fn highlight([along, across]: [f64; 2]) -> [&'static str; 2] {
+    if along < across {
+        ["highlight: narrow along the grain,", "wide across it"]
+    } else if along > across {
+        ["highlight: wide along the grain,", "narrow across it"]
+    } else {
+        ["highlight: the same along the grain", "and across it"]
     }
 }
 

@@ -1,6 +1,6 @@
 //! A cell of the noise lattice in space: what its eight corners say of the point, and how much each counts.
 
-use super::chart::{Chart, Oblique, within_axes};
+use super::chart::{Chart, Oblique, bounds, within_axes};
 use super::sheet::{Fact, SMALL, Sheet, is_roomy};
 use crate::record::{Lattice, LatticeCorner, Triple};
 use crate::view::text::{brief, brief_vector};
@@ -47,10 +47,8 @@ fn capital(word: &str) -> String {
 }
 
 fn cell(sheet: &mut Sheet, lattice: &Lattice, room: Frame) {
-    let [width, height] = room.size();
-    let mut view = Oblique { centre: room.middle(), scale: (width / 2.6).min(height / 1.85) };
-    let middle = view.at([0.5; 3]);
-    view.centre = std::array::from_fn(|i| 2.0 * room.middle()[i] - middle[i]);
+    let longest = lattice.corners.iter().map(|corner| length(corner.gradient)).fold(0.0, f64::max);
+    let Some(view) = view(lattice, longest, &room) else { return };
     let place = |number: usize| view.at(step(number));
     for (number, [from, to]) in EDGES.into_iter().enumerate() {
         let ends = [place(from), place(to)];
@@ -61,7 +59,6 @@ fn cell(sheet: &mut Sheet, lattice: &Lattice, room: Frame) {
     }
     names(sheet, &view);
     point(sheet, &view, lattice.offset, &room);
-    let longest = lattice.corners.iter().map(|corner| length(corner.gradient)).fold(0.0, f64::max);
     for (number, corner) in lattice.corners.iter().enumerate() {
         gradient(sheet, &view, step(number), corner, longest);
     }
@@ -72,6 +69,23 @@ fn cell(sheet: &mut Sheet, lattice: &Lattice, room: Frame) {
         let text = format!("{} · {}", rounded(corner.value), rounded(corner.weight));
         sheet.write_near(&text, place(number), radius(corner) + 2.0, sheet.palette.ink);
     }
+}
+
+/// Where one looks from, so that the cell and all arrows have room, and beside them the texts.
+fn view(lattice: &Lattice, longest: f64, room: &Frame) -> Option<Oblique> {
+    let unit = Oblique { centre: [0.0; 2], scale: 1.0 };
+    let tips = lattice.corners.iter().enumerate().map(|(number, corner)| tip(step(number), corner, longest));
+    let [low, high] = bounds((0..8).map(step).chain(tips).map(|place| unit.at(place)))?;
+    let [width, height] = room.size();
+    let scale = (0.7 * width / (high[0] - low[0])).min(0.94 * height / (high[1] - low[1]));
+    let centre = std::array::from_fn(|i| room.middle()[i] - scale * f64::midpoint(low[i], high[i]));
+    Some(Oblique { centre, scale })
+}
+
+/// Where a gradient's arrow ends.
+fn tip(from: Triple, corner: &LatticeCorner, longest: f64) -> Triple {
+    let share = if longest > 0.0 { ARROW / longest } else { 0.0 };
+    std::array::from_fn(|i| from[i] + share * corner.gradient[i])
 }
 
 /// The corner with this number, x fastest.
@@ -99,10 +113,7 @@ fn colour(sheet: &Sheet, corner: &LatticeCorner) -> Colour {
 }
 
 fn gradient(sheet: &mut Sheet, view: &Oblique, from: Triple, corner: &LatticeCorner, longest: f64) {
-    if longest > 0.0 {
-        let to = std::array::from_fn(|i| from[i] + ARROW * corner.gradient[i] / longest);
-        sheet.arrow(view.at(from), view.at(to), sheet.palette.normal, 1.8);
-    }
+    sheet.arrow(view.at(from), view.at(tip(from, corner, longest)), sheet.palette.normal, 1.8);
 }
 
 fn dot(sheet: &mut Sheet, at: Spot, corner: &LatticeCorner) {

@@ -11,6 +11,7 @@ mod environment;
 mod frame_map;
 mod lattice;
 mod octaves;
+mod picture;
 mod rings;
 mod sheet;
 mod telling;
@@ -22,6 +23,7 @@ mod undulate;
 use super::drawing::Drawing;
 use super::palette::Theme;
 use crate::record::{EventId, What};
+use crate::scene::Scene;
 use crate::trace::RayTree;
 use sheet::Sheet;
 use telling::{footprint_of, point_of, telling};
@@ -30,6 +32,22 @@ use telling::{footprint_of, point_of, telling};
 /// it (to a texture: what is below it; to a hit: what its surface carries).
 #[must_use]
 pub fn texture_plot(tree: &RayTree, selected: EventId, size: [f64; 2], theme: Theme) -> Option<Drawing> {
+    plot(None, tree, selected, size, theme)
+}
+
+/// The same, with the image of the scene's environment behind what the ray saw of it.
+#[must_use]
+pub fn texture_plot_of(
+    scene: &Scene,
+    tree: &RayTree,
+    selected: EventId,
+    size: [f64; 2],
+    theme: Theme,
+) -> Option<Drawing> {
+    plot(Some(scene), tree, selected, size, theme)
+}
+
+fn plot(scene: Option<&Scene>, tree: &RayTree, selected: EventId, size: [f64; 2], theme: Theme) -> Option<Drawing> {
     let event = telling(tree, selected)?;
     let mut sheet = Sheet::new(size, theme, event);
     match &tree.event(event).what {
@@ -40,7 +58,10 @@ pub fn texture_plot(tree: &RayTree, selected: EventId, size: [f64; 2], theme: Th
         What::Rings(rings) => rings::draw(&mut sheet, rings, point_of(tree, event)),
         What::Bump(bump) => bump::draw(&mut sheet, bump),
         What::FrameMap(frame) => frame_map::draw(&mut sheet, frame),
-        What::Environment(environment) => environment::draw(&mut sheet, environment),
+        What::Environment(environment) => {
+            let image = scene.and_then(|scene| scene.environment.as_ref()).map(|own| own.map.texels());
+            environment::draw(&mut sheet, environment, image);
+        }
         What::Detail(detail) => detail::draw(&mut sheet, detail),
         _ => return None,
     }

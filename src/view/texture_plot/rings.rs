@@ -16,8 +16,10 @@ pub(super) fn draw(sheet: &mut Sheet, rings: &Rings, point: Option<Triple>) {
     let shade = if rings.dark { "dark" } else { "light" };
     let past =
         if rings.stirred < 0.0 { " Stirring took it past the axis, where the plain log has no ring." } else { "" };
+    let (towards, is_own) = direction(rings.radius, point);
+    let turned = if is_own { "" } else { " It is drawn at an angle about the axis that is not its own." };
     let note = format!(
-        "At the distance {} from the axis the point lies at {} rings, in ring {}, which is {shade}.{past}",
+        "At the distance {} from the axis the point lies at {} rings, in ring {}, which is {shade}.{past}{turned}",
         brief(rings.radius),
         brief(rings.stirred),
         brief(rings.ring)
@@ -35,7 +37,6 @@ pub(super) fn draw(sheet: &mut Sheet, rings: &Rings, point: Option<Triple>) {
     if !is_roomy(&frame) || !(0.0..1e12).contains(&distance) {
         return;
     }
-    let towards = direction(rings.radius, point);
     let at = towards.map(|x| x * distance);
     let (low, high) = if distance <= WHOLE {
         let reach = distance.floor() + 1.6;
@@ -52,11 +53,14 @@ pub(super) fn draw(sheet: &mut Sheet, rings: &Rings, point: Option<Triple>) {
     sheet.axes(&chart, ["", "rings from the axis"], false);
 }
 
-/// Where the point lies about the axis: as its texture says, if the log's axis is z; else at a place that reads well.
-fn direction(radius: f64, point: Option<Triple>) -> Spot {
+/// Where the point lies about the axis, and whether it does: as its texture says, if the log's axis is z; else at a place
+/// that reads well, for the event does not tell where the axis is.
+fn direction(radius: f64, point: Option<Triple>) -> (Spot, bool) {
     match point {
-        Some([x, y, _]) if radius > 0.0 && (x.hypot(y) - radius).abs() < 1e-9 * radius => [x / radius, y / radius],
-        _ => [0.8, 0.6],
+        Some([x, y, _]) if radius > 0.0 && (x.hypot(y) - radius).abs() < 1e-9 * radius => {
+            ([x / radius, y / radius], true)
+        }
+        _ => ([0.8, 0.6], false),
     }
 }
 

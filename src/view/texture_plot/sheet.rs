@@ -1,13 +1,12 @@
 //! What the drawings of textures share: a caption, a column of facts, and marks that stay within a frame.
 
 use super::clip::{clipped_line, clipped_ring};
-use crate::record::{EventId, Triple};
-use crate::trace::srgb;
+use crate::record::EventId;
 use crate::view::fonts::text_width;
 use crate::view::labels::{Label, Placer, shortened, wrapped};
 use crate::view::palette::{Colour, Palette};
+pub(super) use crate::view::scene_colour::{ink_on, shown};
 use crate::view::{Anchor, Drawing, Face, Form, Frame, Spot, Stroke, Theme};
-use glam::DVec3;
 
 /// Sizes in points.
 pub(super) const TEXT: f64 = 11.5;
@@ -203,18 +202,4 @@ pub(super) fn is_roomy(frame: &Frame) -> bool {
 pub(super) fn rim(frame: &Frame) -> Vec<Spot> {
     let ([left, top], [right, bottom]) = (frame.low, frame.high);
     vec![[left, top], [right, top], [right, bottom], [left, bottom]]
-}
-
-/// A linear colour of the scene as it looks on a screen.
-pub(super) fn shown(colour: Triple) -> Colour {
-    let [r, g, b] = srgb(DVec3::from_array(colour));
-    Colour { r, g, b, a: 255 }
-}
-
-/// Black or white, whichever is read more easily on `ground`.
-pub(super) fn ink_on(ground: Colour) -> Colour {
-    let [r, g, b] = [ground.r, ground.g, ground.b].map(f64::from);
-    // Rec. 709 luma, good enough to choose between two.
-    let luma = 0.2126 * r + 0.7152 * g + 0.0722 * b;
-    Colour::hex(if luma > 128.0 { 0x1c_1f_24 } else { 0xff_ff_ff })
 }

@@ -284,3 +284,19 @@ fn a_log_of_a_million_rings_still_shows_the_ring_of_the_point() {
     assert!((4..40).contains(&areas), "{areas}");
     assert!(drawing.texts().any(|text| text.text == "the point"));
 }
+
+#[test]
+fn the_image_lies_behind_the_environment_where_it_is_at_hand() {
+    let load = |name: &str| crate::scene::load(crate::scene::embedded_scene(name).unwrap().text, name).unwrap();
+    let scene = load("textures/environment");
+    let tree = crate::trace::record_pixel(&scene, 505, 205);
+    let hit = (0..tree.end()).find(|&id| matches!(tree.event(id).what, What::Environment(_))).unwrap();
+    let areas = |drawing: &Drawing| drawing.marks.iter().filter(|mark| matches!(mark.form, Form::Area { .. })).count();
+    let plain = texture_plot(&tree, hit, SIZE, Theme::Light).unwrap();
+    let with = texture_plot_of(&scene, &tree, hit, SIZE, Theme::Light).unwrap();
+    assert!(areas(&with) > areas(&plain) + 100, "{} and {}", areas(&with), areas(&plain));
+    assert_readable(&with, "with its image");
+    // The image of another environment is not this one's.
+    let other = texture_plot_of(&load("textures/environment_cross"), &tree, hit, SIZE, Theme::Light).unwrap();
+    assert_eq!(other, plain);
+}

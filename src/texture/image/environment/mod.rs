@@ -90,6 +90,12 @@ impl Environment {
         Ok(Self { texels, faces, charts, turn, smaller: OnceLock::new() })
     }
 
+    /// Its image.
+    #[must_use]
+    pub fn texels(&self) -> &Texels {
+        &self.texels
+    }
+
     /// How it lies in its image.
     #[must_use]
     pub fn layout(&self) -> Layout {
