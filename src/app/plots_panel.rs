@@ -5,8 +5,9 @@ use super::panel::empty;
 use super::recording::Recording;
 use super::theme::drawing_theme;
 use crate::record::EventId;
+use crate::scene::Scene;
 use crate::trace::RayTree;
-use crate::view::{Drawing, Theme, interval_bars, sign_plot, texture_plot};
+use crate::view::{Drawing, Theme, interval_bars, sign_plot, texture_plot_of};
 use egui::{Color32, Pos2, Rect, Role, Sense, Ui, Vec2, WidgetInfo, pos2};
 use std::sync::Arc;
 
@@ -38,7 +39,7 @@ impl Plot {
         match self {
             Self::Bars => interval_bars(&key.tree, key.selected, size, key.theme),
             Self::Signs => sign_plot(&key.tree, key.selected, size, key.theme),
-            Self::Texture => texture_plot(&key.tree, key.selected, size, key.theme),
+            Self::Texture => texture_plot_of(&key.scene, &key.tree, key.selected, size, key.theme),
         }
     }
 }
@@ -46,6 +47,7 @@ impl Plot {
 /// Everything that a plot depends on.
 #[derive(Clone)]
 struct Key {
+    scene: Arc<Scene>,
     tree: Arc<RayTree>,
     selected: EventId,
     size: [u32; 2],
@@ -129,6 +131,7 @@ fn show(ui: &Ui, canvas: &mut Canvas<Key>, plot: Plot, recording: &Recording, se
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a panel is a few thousand points")]
     let size = [inside.width().max(1.0) as u32, inside.height().max(1.0) as u32];
     let key = Key {
+        scene: Arc::clone(&recording.scene),
         tree: Arc::clone(&recording.tree),
         selected,
         size,

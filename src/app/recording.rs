@@ -35,6 +35,8 @@ pub struct Plotted {
 pub struct Recording {
     /// The pixel.
     pub pixel: [u32; 2],
+    /// The scene that it was recorded in.
+    pub scene: Arc<Scene>,
     /// What happened.
     pub tree: Arc<RayTree>,
     /// Which rows are shown.
@@ -49,11 +51,12 @@ pub struct Recording {
 impl Recording {
     /// Records a pixel.
     #[must_use]
-    pub fn new(scene: &Scene, pixel: [u32; 2]) -> Self {
+    pub fn new(scene: &Arc<Scene>, pixel: [u32; 2]) -> Self {
         let tree = record_pixel(scene, pixel[0], pixel[1]);
         let outline = Outline::new(&tree);
         let hits = hits(&tree);
-        Self { pixel, tree: Arc::new(tree), outline, hits, selected: 0, selection_moved: true }
+        let (scene, tree) = (Arc::clone(scene), Arc::new(tree));
+        Self { pixel, scene, tree, outline, hits, selected: 0, selection_moved: true }
     }
 
     /// The selected event: the step of the story at which all panels stand.
@@ -141,7 +144,8 @@ mod tests {
     fn bowl() -> Recording {
         let embedded = embedded_scene("csg/bowl").expect("the bowl is embedded");
         let scene = load(embedded.text, &embedded.name).expect("embedded scenes have no errors");
-        Recording::new(&scene, scene.pixels[0])
+        let pixel = scene.pixels[0];
+        Recording::new(&Arc::new(scene), pixel)
     }
 
     #[test]

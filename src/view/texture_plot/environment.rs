@@ -39,6 +39,7 @@ pub(super) fn draw(sheet: &mut Sheet, environment: &Environment, image: Option<&
     creases(sheet, &map, environment);
     let outline = map.all_at(&environment.footprint);
     sheet.area(&map.frame, std::slice::from_ref(&outline), sheet.palette.bad.faded(0.35));
+    sheet.outline(&map.frame, &outline, Stroke::solid(sheet.palette.ground, 2.6));
     sheet.outline(&map.frame, &outline, Stroke::solid(sheet.palette.bad, 1.2));
     let stroke = Stroke::solid(sheet.palette.faint, 1.2);
     sheet.drawing.put(Form::Rect { frame: map.frame, fill: None, stroke: Some(stroke) }, sheet.event);
@@ -135,6 +136,8 @@ fn inset(
     sheet.whole_lines(&chart);
     let outline = chart.all_at(&environment.footprint);
     sheet.area(&room, std::slice::from_ref(&outline), sheet.palette.bad.faded(0.22));
+    // A rim of the ground, so that it is seen on any picture.
+    sheet.outline(&room, &outline, Stroke::solid(sheet.palette.ground, 4.0));
     sheet.outline(&room, &outline, Stroke::solid(sheet.palette.bad, 2.0));
     sheet.mark(&room, chart.at(environment.at), 3.5, sheet.palette.ink);
     let stroke = Stroke::solid(sheet.palette.faint, 1.2);
