@@ -30,7 +30,7 @@ pub enum Texture {
         parts: Vec<String>,
     },
     /// A colour for each point of space.
-    Solid(MovingTexture),
+    Solid(Box<MovingTexture>),
 }
 
 /// What turns a normal as if the surface were raised.

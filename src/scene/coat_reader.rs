@@ -84,7 +84,7 @@ impl<'a> CoatReader<'a> {
             let image = ImageTexture { texels, mapping, wraps: wraps(*wrap), filter: filter_of(*filter) };
             return Some(Texture::Image { image, parts: parts.keys().cloned().collect() });
         }
-        self.without_fault(solid_texture(file)?, path).map(Texture::Solid)
+        self.without_fault(solid_texture(file)?, path).map(|moving| Texture::Solid(Box::new(moving)))
     }
 
     fn bump(&mut self, file: &BumpFile, path: Path) -> Option<Bumps> {

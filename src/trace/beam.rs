@@ -122,7 +122,7 @@ fn touching([origin, direction]: [DVec3; 2], ray: &Ray, surface: &Surface) -> Co
         let t = normal.dot(surface.point - origin) / normal.dot(direction);
         (t > 0.0 && t.is_finite()).then(|| origin + direction * t)
     };
-    let shares = std::iter::successors(Some(1.0), |share| Some(0.5 * share)).take(16);
-    let point = shares.filter_map(meeting).next().unwrap_or(surface.point);
+    let mut shares = std::iter::successors(Some(1.0), |share| Some(0.5 * share)).take(16);
+    let point = shares.find_map(meeting).unwrap_or(surface.point);
     Corner { point, direction, normal, on_surface: false }
 }

@@ -23,35 +23,29 @@ pub(super) struct Finish<'a> {
 }
 
 impl<'a> Tracer<'a> {
-    /// Finishes the surface: returns it with the normal that shading uses, and with its colours.
+    /// Finishes the surface: gives it the normal that shading uses, and returns its colours.
     pub(super) fn finish<R: Recorder>(
         &self,
-        surface: &Surface,
+        surface: &mut Surface,
         corners: Option<&[Corner; 4]>,
         recorder: &mut R,
-    ) -> (Surface, Finish<'a>) {
+    ) -> Finish<'a> {
         let material = &self.scene.materials[surface.material];
         let mut finish = Finish { material, ambient: material.ambient, diffuse: material.diffuse, grain: None };
-        let Some(coat) = &material.coat else { return (*surface, finish) };
-        let (surface, grain) = self.turn(surface, coat, recorder);
-        finish.grain = grain;
+        let Some(coat) = &material.coat else { return finish };
+        finish.grain = self.turn(surface, coat, recorder);
         if let Some(texture) = &coat.texture {
-            let pigment = self.pigment(&surface, texture, corners, recorder);
+            let pigment = self.pigment(surface, texture, corners, recorder);
             finish.ambient *= pigment;
             finish.diffuse *= pigment;
         }
-        (surface, finish)
+        finish
     }
 
-    /// Turns the normal by what the material's bump says, and the frame by its grain.
-    fn turn<R: Recorder>(
-        &self,
-        surface: &Surface,
-        coat: &Coat,
-        recorder: &mut R,
-    ) -> (Surface, Option<(Frame, [f64; 2])>) {
+    /// Turns the normal by what the material's bump says, and the frame by its grain, which is returned with its roughness.
+    fn turn<R: Recorder>(&self, surface: &mut Surface, coat: &Coat, recorder: &mut R) -> Option<(Frame, [f64; 2])> {
         if coat.bump.is_none() && coat.frame.is_none() {
-            return (*surface, None);
+            return None;
         }
         let mut site = self.site(surface);
         if let Some(bump) = &coat.bump {
@@ -65,9 +59,8 @@ impl<'a> Tracer<'a> {
         let normal = frame.map_or(site.normal, |(frame, _)| frame.normal);
         // From within, all of it is seen from behind.
         let is_behind = surface.n_geometric.dot(surface.n_shading) < 0.0;
-        let facing = |frame: Frame| if is_behind { Frame { normal: -frame.normal, ..frame } } else { frame };
-        let n_shading = if is_behind { -normal } else { normal };
-        (Surface { n_shading, ..*surface }, frame.map(|(frame, roughness)| (facing(frame), roughness)))
+        surface.n_shading = if is_behind { -normal } else { normal };
+        frame.map(|(frame, roughness)| (Frame { normal: surface.n_shading, ..frame }, roughness))
     }
 
     /// The place on the surface as bumps and grain ask for it.
@@ -119,7 +112,7 @@ impl<'a> Tracer<'a> {
                 recorder.count(Counter::Lookup(Lookup::Image));
                 let uv = self.uv(surface, surface.point);
                 recorder.event(
-                    |recorder| self.from_image(surface, uv, (image, parts), corners, recorder),
+                    |recorder| self.image_colour(surface, uv, (image, parts), corners, recorder),
                     |colour| self.describe_texture(surface, "image", uv.extend(0.0), *colour),
                 )
             }
@@ -137,7 +130,7 @@ impl<'a> Tracer<'a> {
         }
     }
 
-    fn from_image(
+    fn image_colour(
         &self,
         surface: &Surface,
         uv: DVec2,

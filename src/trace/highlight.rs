@@ -45,7 +45,7 @@ impl Highlight {
                     ("f", (*exponent).into()),
                     ("r_v", (*r_dot_v).into()),
                 ];
-                let bindings: Vec<_> = bindings.iter().cloned().chain(own).collect();
+                let bindings: Vec<_> = bindings.iter().copied().chain(own).collect();
                 entry
                     .line("r·v", "max(0, r · v)", &bindings, *r_dot_v)
                     .line("I_diff", "I_l k_d n_l", &bindings, diffuse.to_array())
@@ -53,7 +53,7 @@ impl Highlight {
             }
             Self::Ward(ward) => {
                 let own = [("S", ward.highlight.into())];
-                let bindings: Vec<_> = bindings.iter().cloned().chain(own).collect();
+                let bindings: Vec<_> = bindings.iter().copied().chain(own).collect();
                 let entry = entry.line("I_diff", "I_l k_d n_l", &bindings, diffuse.to_array());
                 ward.lines(entry).line("I_spec", "I_l k_s S", &bindings, specular.to_array())
             }

@@ -145,10 +145,10 @@ impl<'a> Tracer<'a> {
         } else {
             self.nearest(ray, recorder)
         };
-        let surface = step(ray, 4, recorder, |recorder| {
+        let mut surface = step(ray, 4, recorder, |recorder| {
             closest.as_ref().map(|closest| self.compute_hit_point(ray, closest, recorder))
         });
-        step(ray, 5, recorder, |recorder| match &surface {
+        step(ray, 5, recorder, |recorder| match &mut surface {
             Some(surface) => self.find_colour(ray, surface, recorder),
             None => self.see_background(ray, recorder),
         })
@@ -188,16 +188,16 @@ impl<'a> Tracer<'a> {
     }
 
     /// Step 5: the colour of the light that returns along the ray from the hit point.
-    fn find_colour<R: Recorder>(&self, ray: &Ray, surface: &Surface, recorder: &mut R) -> Rgb {
+    fn find_colour<R: Recorder>(&self, ray: &Ray, surface: &mut Surface, recorder: &mut R) -> Rgb {
         let crossing = self.cross_media(ray, surface, recorder);
         let mut components = Components::default();
         if crossing.hidden {
             components.transmitted = self.pass_straight_through(ray, surface, &crossing, recorder);
         } else {
             let corners = self.corners(ray, surface);
-            let (surface, finish) = self.finish(surface, corners.as_deref(), recorder);
-            self.add_lights(ray, &surface, &finish, &mut components, recorder);
-            let meeting = Meeting { surface: &surface, material: finish.material, corners };
+            let finish = self.finish(surface, corners.as_deref(), recorder);
+            self.add_lights(ray, surface, &finish, &mut components, recorder);
+            let meeting = Meeting { surface, material: finish.material, corners };
             self.add_spawned(ray, &meeting, &crossing, &mut components, recorder);
         }
         recorder.note(|| components.describe());
