@@ -14,8 +14,9 @@ use std::sync::Arc;
 /// How far from a mark a click still counts, in points. Less makes thin lines hard to hit.
 const REACH: f64 = 5.0;
 
-/// The plots' heights as parts of each other: three lists with labels need more than one curve, and so does a grid.
-const HEIGHTS: [f32; 3] = [1.27, 1.0, 1.27];
+/// The plots' heights as parts of each other: three lists with labels need more than one curve, and what a
+/// surface carries, with its caption and its legend, needs most.
+const HEIGHTS: [f32; 3] = [1.27, 1.0, 1.8];
 
 /// What there is to plot of an event.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -6,8 +6,9 @@ use crate::record::{Stop, Undulate};
 use crate::view::text::{brief, brief_vector};
 use crate::view::{Anchor, Colour, Form, Frame, Spot, Stroke};
 
-/// The height of the band of colours.
+/// The height of the band of colours, and its largest share of the whole: the curves come first.
 const BAND: f64 = 26.0;
+const BAND_SHARE: f64 = 0.18;
 
 pub(super) fn draw(sheet: &mut Sheet, undulate: &Undulate) {
     let note = format!("At {} the colour is {}.", brief(undulate.argument), brief_vector(undulate.colour));
@@ -18,7 +19,8 @@ pub(super) fn draw(sheet: &mut Sheet, undulate: &Undulate) {
     facts.push(Fact::Swatch(shown(undulate.colour), "the colour".to_owned()));
     let (room, _) = sheet.facts(room, &facts);
     let mut frame = within_axes(room);
-    frame.high[1] -= BAND + 6.0;
+    let band_height = BAND.min(BAND_SHARE * frame.size()[1]);
+    frame.high[1] -= band_height + 6.0;
     let Some(range) = range(undulate).filter(|_| is_roomy(&frame)) else { return };
     let chart = Chart::free(frame, [-1.0, 1.0], range);
     segment(sheet, &chart, undulate);
@@ -30,7 +32,8 @@ pub(super) fn draw(sheet: &mut Sheet, undulate: &Undulate) {
             sheet.dot(chart.at([stop.at, stop.colour[channel]]), 3.2, stroke.colour);
         }
     }
-    let band = Frame { low: [frame.low[0], frame.high[1] + 6.0], high: [frame.high[0], frame.high[1] + 6.0 + BAND] };
+    let top = frame.high[1] + 6.0;
+    let band = Frame { low: [frame.low[0], top], high: [frame.high[0], top + band_height] };
     colours(sheet, &chart, &undulate.curve, &band);
     argument(sheet, &chart, undulate, &band);
     numbers(sheet, &chart, &band);
