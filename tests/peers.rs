@@ -4,8 +4,9 @@ mod povray;
 
 use glam::DVec3;
 use rayscope::peer::{Agreement, import};
-use rayscope::record::NullRecorder;
-use rayscope::scene::{Scene, load};
+use rayscope::record::{Lookup, NullRecorder};
+use rayscope::scene::{Image, Scene, load};
+use rayscope::trace::{Progress, render};
 use serde_json::Value;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -161,4 +162,14 @@ fn pov_ray_draws_the_same_pictures() {
         let agreement = Agreement::of(&povray::ours(imported(name), 160, 120), &theirs).unwrap();
         assert!(agreement.share >= least, "{name}: {agreement:?}");
     }
+}
+
+/// Both programs have noise of their own, so the pictures are not compared.
+#[test]
+fn the_textured_scene_is_read_with_its_patterns_and_its_bumps() {
+    let mut scene = imported("f_textures");
+    scene.image = Image { width: 64, height: 48 };
+    let (_, tally) = render(&scene, &Progress::new());
+    assert!(tally.lookups(Lookup::Solid) > 0 && tally.lookups(Lookup::Bump) > 0);
+    assert_eq!(tally.lookups(Lookup::Image), 0);
 }
