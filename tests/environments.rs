@@ -7,10 +7,12 @@
 )]
 
 mod formula;
+mod notes;
 
 use formula::evaluate;
 use glam::DVec3;
-use rayscope::record::{Counter, Entry, NullRecorder, Recorder, Value, What};
+use notes::Notes;
+use rayscope::record::{NullRecorder, Value, What};
 use rayscope::texture::image::{Environment, Layout, Texels};
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -97,19 +99,6 @@ fn places() -> Vec<DVec3> {
 }
 
 const SIZES: [[f64; 2]; 5] = [[0.01, 0.01], [0.03, 0.08], [0.2, 0.2], [0.6, 0.15], [1.4, 1.2]];
-
-/// Keeps the events in the order in which they end.
-#[derive(Default)]
-struct Notes(Vec<Entry>);
-
-impl Recorder for Notes {
-    const RECORDING: bool = true;
-    fn begin(&mut self) {}
-    fn end(&mut self, describe: impl FnOnce() -> Entry) {
-        self.0.push(describe());
-    }
-    fn count(&mut self, _counter: Counter) {}
-}
 
 fn solid_angle(environment: &Environment, middle: DVec3, corners: [DVec3; 4]) -> f64 {
     let mut notes = Notes::default();

@@ -1,25 +1,14 @@
 //! The working behind look-ups in images: an independent calculator must come to the results that stand beside it.
 
 mod formula;
+mod notes;
 
 use formula::evaluate;
 use glam::DVec2;
-use rayscope::record::{Counter, Entry, Recorder, Value};
+use notes::Notes;
+use rayscope::record::Value;
 use rayscope::texture::image::{Affine, Encoding, Filter, ImageTexture, Mapping, Place, Texels, Wraps};
 use std::sync::Arc;
-
-/// Keeps the events in the order in which they end.
-#[derive(Default)]
-struct Notes(Vec<Entry>);
-
-impl Recorder for Notes {
-    const RECORDING: bool = true;
-    fn begin(&mut self) {}
-    fn end(&mut self, describe: impl FnOnce() -> Entry) {
-        self.0.push(describe());
-    }
-    fn count(&mut self, _counter: Counter) {}
-}
 
 /// Checks every line, and says how many there were.
 fn check(notes: &Notes) -> usize {

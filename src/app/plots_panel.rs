@@ -7,7 +7,7 @@ use super::theme::drawing_theme;
 use crate::record::EventId;
 use crate::scene::Scene;
 use crate::trace::RayTree;
-use crate::view::{Drawing, Theme, interval_bars, sign_plot, texture_plot_of};
+use crate::view::{Drawing, Theme, interval_bars, sign_plot, texture_plot};
 use egui::{Color32, Pos2, Rect, Role, Sense, Ui, Vec2, WidgetInfo, pos2};
 use std::sync::Arc;
 
@@ -40,7 +40,7 @@ impl Plot {
         match self {
             Self::Bars => interval_bars(&key.tree, key.selected, size, key.theme),
             Self::Signs => sign_plot(&key.tree, key.selected, size, key.theme),
-            Self::Texture => texture_plot_of(&key.scene, &key.tree, key.selected, size, key.theme),
+            Self::Texture => texture_plot(Some(&key.scene), &key.tree, key.selected, size, key.theme),
         }
     }
 }

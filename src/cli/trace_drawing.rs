@@ -35,7 +35,7 @@ impl TraceDrawing {
         let (drawing, missing) = match self {
             Self::Side => (Some(side_view(scene, tree, theme)), ""),
             Self::Texture => (
-                ends(tree).find_map(|end| view::texture_plot_of(scene, tree, end, SIZE, theme.into())),
+                ends(tree).find_map(|end| view::texture_plot(Some(scene), tree, end, SIZE, theme.into())),
                 "the ray meets nothing that carries a texture, bump, grain, detail or environment",
             ),
             Self::Intervals => (

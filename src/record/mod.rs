@@ -4,6 +4,8 @@
 //! derive `Serialize` and `JsonSchema` because they *are* the exported trace format.
 
 mod event;
+#[cfg(test)]
+mod kept;
 mod numbers;
 mod parts;
 mod recorder;
@@ -12,6 +14,8 @@ mod what;
 mod working;
 
 pub use event::{Entry, Event, EventId, Source, Triple};
+#[cfg(test)]
+pub use kept::Kept;
 pub use numbers::{Binding, Numbers};
 pub use parts::{
     Candidate, CandidateFate, Certificate, Edge, Operator, PlaneRow, PlaneSense, RayKind, Sense, Sign, SignSpan, Span,

@@ -60,6 +60,7 @@ fn point_on(shape: &impl Primitive, part: Part) -> Option<DVec3> {
     let points: Vec<DVec3> = shape.outline().concat();
     let farthest = points.iter().map(|point| normal.dot(*point)).fold(f64::NEG_INFINITY, f64::max);
     let size = points.iter().map(|point| point.abs().max_element()).fold(0.0, f64::max);
+    // Points of the part itself lie there up to rounding, those of other parts far below.
     let on_part: Vec<DVec3> = points.into_iter().filter(|point| normal.dot(*point) >= farthest - 1e-9 * size).collect();
     let count = on_part.len() as f64;
     (count > 0.0).then(|| on_part.into_iter().sum::<DVec3>() / count)

@@ -2,7 +2,7 @@
 
 use super::{Approach, Crossings, GenericRay, Primitive};
 use crate::math::Real;
-use crate::record::{Counter, Entry, NullRecorder, Recorder, Sense, What};
+use crate::record::{Kept, NullRecorder, Sense, What};
 use glam::DVec3;
 
 pub(super) use Sense::{Enter, Leave, Touch};
@@ -43,22 +43,6 @@ pub(super) fn expect(shape: &impl Primitive, origin: [f64; 3], direction: [f64; 
     let found = hits(shape, origin, direction);
     let found: Vec<_> = found.iter().map(|(t, sense, part)| (*t, *sense, part.as_str())).collect();
     assert_eq!(found, expected);
-}
-
-/// Keeps what is reported, in order.
-#[derive(Default)]
-pub(super) struct Kept(pub Vec<Entry>);
-
-impl Recorder for Kept {
-    const RECORDING: bool = true;
-
-    fn begin(&mut self) {}
-
-    fn end(&mut self, describe: impl FnOnce() -> Entry) {
-        self.0.push(describe());
-    }
-
-    fn count(&mut self, _counter: Counter) {}
 }
 
 /// Everything that the shape reports on the ray S + c t.

@@ -38,4 +38,4 @@ pub use side_view::{PlaneView, SectionPlane, SideViewOptions, side_view, side_vi
 pub use sign_plot::sign_plot;
 pub use svg::svg;
 pub use text::{Detail, DetailLine, Row, brief, brief_vector, detail, row, span_list, tree_text};
-pub use texture_plot::{texture_plot, texture_plot_of};
+pub use texture_plot::texture_plot;

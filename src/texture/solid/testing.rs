@@ -1,29 +1,14 @@
 //! What the tests of solid textures share.
 
 use super::random::Random;
-use crate::record::{Counter, Entry, Recorder, Value};
+pub(crate) use crate::record::Kept;
+use crate::record::Value;
 use glam::DVec3;
 
 /// Points from −`size` to `size`, always the same.
 pub(crate) fn points(count: usize, size: f64) -> impl Iterator<Item = DVec3> {
     let mut random = Random::new(99);
     std::iter::repeat_with(move || DVec3::from_array(std::array::from_fn(|_| random.signed() * size))).take(count)
-}
-
-/// Keeps what is reported, in the order in which it ends.
-#[derive(Default)]
-pub(crate) struct Kept(pub Vec<Entry>);
-
-impl Recorder for Kept {
-    const RECORDING: bool = true;
-
-    fn begin(&mut self) {}
-
-    fn end(&mut self, describe: impl FnOnce() -> Entry) {
-        self.0.push(describe());
-    }
-
-    fn count(&mut self, _counter: Counter) {}
 }
 
 #[path = "../../../tests/formula/mod.rs"]

@@ -29,25 +29,16 @@ use sheet::Sheet;
 use telling::{footprint_of, point_of, telling};
 
 /// The drawing of a look-up, bump, frame or detail: that of `selected` itself, or of the most telling one that belongs to
-/// it (to a texture: what is below it; to a hit: what its surface carries).
+/// it (to a texture: what is below it; to a hit: what its surface carries). Where the scene is given, the image of its
+/// environment lies behind what the ray saw of it.
 #[must_use]
-pub fn texture_plot(tree: &RayTree, selected: EventId, size: [f64; 2], theme: Theme) -> Option<Drawing> {
-    plot(None, tree, selected, size, theme)
-}
-
-/// The same, with the image of the scene's environment behind what the ray saw of it.
-#[must_use]
-pub fn texture_plot_of(
-    scene: &Scene,
+pub fn texture_plot(
+    scene: Option<&Scene>,
     tree: &RayTree,
     selected: EventId,
     size: [f64; 2],
     theme: Theme,
 ) -> Option<Drawing> {
-    plot(Some(scene), tree, selected, size, theme)
-}
-
-fn plot(scene: Option<&Scene>, tree: &RayTree, selected: EventId, size: [f64; 2], theme: Theme) -> Option<Drawing> {
     let event = telling(tree, selected)?;
     let mut sheet = Sheet::new(size, theme, event);
     match &tree.event(event).what {
