@@ -1,7 +1,7 @@
 //! rayscope: a workbench that shows the whole story of a ray.
 //!
 //! Data flows one way: scene file → [`scene`] → [`trace`] → event tree → [`view`] → command line or workbench. The
-//! layers, from the bottom: [`record`], [`math`], then [`shape`], [`csg`], [`optics`] and [`texture`], then [`scene`], [`trace`],
+//! layers, from the bottom: [`record`], [`math`], then [`shape`], [`csg`], [`optics`], [`sample`] and [`texture`], then [`scene`], [`trace`],
 //! [`view`], [`accuracy`] and [`peer`], and on top [`cli`] and `app`. [`folder`] reads the pictures beside a scene file.
 
 #![warn(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::print_stdout, clippy::print_stderr)]
@@ -16,6 +16,7 @@ pub mod math;
 pub mod optics;
 pub mod peer;
 pub mod record;
+pub mod sample;
 pub mod scene;
 pub mod shape;
 pub mod texture;

@@ -11,17 +11,21 @@ const LAYERS: &[(&str, &[&str])] = &[
     ("shape", &["record", "math"]),
     ("optics", &["record", "math"]),
     ("texture", &["record", "math"]),
+    ("sample", &["record", "math"]),
     ("csg", &["record", "math", "shape"]),
-    ("scene", &["record", "math", "shape", "csg", "optics", "texture"]),
-    ("trace", &["record", "math", "shape", "csg", "optics", "texture", "scene"]),
-    ("view", &["record", "math", "shape", "csg", "optics", "texture", "scene", "trace"]),
-    ("accuracy", &["record", "math", "shape", "csg", "optics", "texture", "scene", "trace", "view"]),
+    ("scene", &["record", "math", "shape", "csg", "optics", "texture", "sample"]),
+    ("trace", &["record", "math", "shape", "csg", "optics", "texture", "sample", "scene"]),
+    ("view", &["record", "math", "shape", "csg", "optics", "texture", "sample", "scene", "trace"]),
+    ("accuracy", &["record", "math", "shape", "csg", "optics", "texture", "sample", "scene", "trace", "view"]),
     ("peer", &["record", "shape", "csg", "scene"]),
     (
         "cli",
-        &["record", "math", "shape", "csg", "optics", "texture", "scene", "trace", "view", "accuracy", "peer", "app"],
+        &[
+            "record", "math", "shape", "csg", "optics", "texture", "sample", "scene", "trace", "view", "accuracy",
+            "peer", "app",
+        ],
     ),
-    ("app", &["record", "math", "shape", "csg", "optics", "texture", "scene", "trace", "view"]),
+    ("app", &["record", "math", "shape", "csg", "optics", "texture", "sample", "scene", "trace", "view"]),
 ];
 
 /// Crates that only some places may use, and those places.

@@ -4,7 +4,7 @@ mod povray;
 
 use glam::DVec3;
 use rayscope::peer::{Agreement, import};
-use rayscope::record::{Lookup, NullRecorder};
+use rayscope::record::{Effect, NullRecorder};
 use rayscope::scene::{Image, Scene, load};
 use rayscope::trace::{Progress, render};
 use serde_json::Value;
@@ -170,6 +170,6 @@ fn the_textured_scene_is_read_with_its_patterns_and_its_bumps() {
     let mut scene = imported("f_textures");
     scene.image = Image { width: 64, height: 48 };
     let (_, tally) = render(&scene, &Progress::new());
-    assert!(tally.lookups(Lookup::Solid) > 0 && tally.lookups(Lookup::Bump) > 0);
-    assert_eq!(tally.lookups(Lookup::Image), 0);
+    assert!(tally.calls(Effect::SolidTextures) > 0 && tally.calls(Effect::Bumps) > 0);
+    assert_eq!(tally.calls(Effect::ImageTextures), 0);
 }

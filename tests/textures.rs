@@ -1,8 +1,8 @@
 //! What surfaces carry, through whole scenes: where look-ups happen, what they are told, and that nothing else pays for them.
 
 use glam::{DMat3, DVec2, DVec3};
-use rayscope::record::{Lookup, What};
-use rayscope::scene::{Image, Scene, embedded_scenes, load};
+use rayscope::record::{Effect, What};
+use rayscope::scene::{Image, Scene, load};
 use rayscope::trace::{Progress, RayTree, record_pixel, render};
 
 fn scene(text: &str) -> Scene {
@@ -25,32 +25,23 @@ fn hits(tree: &RayTree) -> Vec<(DVec3, String)> {
     })
 }
 
-#[test]
-fn a_scene_that_calls_for_no_texture_runs_no_texture_code() {
-    let plain: Vec<_> = embedded_scenes().into_iter().filter(|scene| !scene.name.starts_with("textures/")).collect();
-    assert!(plain.len() > 30);
-    for embedded in plain {
-        let mut scene = load(embedded.text, &embedded.name).unwrap();
-        scene.image = Image { width: 32, height: 24 };
-        let (_, tally) = render(&scene, &Progress::new());
-        assert_eq!(Lookup::ALL.map(|lookup| tally.lookups(lookup)), [0; 6], "{}", embedded.name);
-        assert!(!scene.needs_beams, "{}", embedded.name);
-    }
-}
+/// The effects of surfaces, as against those of cameras, lights and media.
+const SURFACES: [Effect; 6] =
+    [Effect::Details, Effect::ImageTextures, Effect::SolidTextures, Effect::Bumps, Effect::Frames, Effect::Environment];
 
 #[test]
 fn a_scene_is_charged_for_what_it_carries_and_for_nothing_else() {
     for (name, expected) in [
-        ("textures/wood", Lookup::Solid),
-        ("textures/every_surface", Lookup::Image),
-        ("textures/details", Lookup::Detail),
-        ("textures/environment", Lookup::Environment),
+        ("textures/wood", Effect::SolidTextures),
+        ("textures/every_surface", Effect::ImageTextures),
+        ("textures/details", Effect::Details),
+        ("textures/environment", Effect::Environment),
     ] {
         let mut scene = embedded(name);
         scene.image = Image { width: 32, height: 24 };
         let (_, tally) = render(&scene, &Progress::new());
-        for lookup in Lookup::ALL {
-            assert_eq!(tally.lookups(lookup) > 0, lookup == expected, "{name}: {}", lookup.name());
+        for effect in SURFACES {
+            assert_eq!(tally.calls(effect) > 0, effect == expected, "{name}: {}", effect.name());
         }
     }
 }

@@ -53,5 +53,6 @@ fn ray_colour(kind: RayKind) -> Color32 {
         RayKind::Reflected => palette.reflected,
         RayKind::Refracted => palette.refracted,
         RayKind::Shadow => palette.shadow,
+        RayKind::Scattered => palette.scattered,
     })
 }

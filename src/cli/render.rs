@@ -228,9 +228,8 @@ impl Render {
             rays: stats::rays(&rendered.tally),
             tests: stats::tests(&rendered.tally),
             extents: stats::extents(&rendered.tally),
-            lookups: stats::lookups(&rendered.tally),
             seconds: Seconds::new(rendered.load, rendered.render, write),
-            effects: stats::effects(scene),
+            effects: stats::effects(scene, &rendered.tally),
         };
         let text = serde_json::to_string_pretty(&stats).map_err(|error| Failure::refused(error.to_string()))?;
         Ok(text + "\n")

@@ -35,7 +35,9 @@ pub fn to_povray(scene: &Scene) -> Result<String, String> {
     );
     let _ = writeln!(sdl, "background {{ rgb {} }}", vector(scene.background));
     sdl += &camera(&scene.camera, scene.image);
-    scene.lights.iter().for_each(|light| sdl += &self::light(light));
+    for light in &scene.lights {
+        sdl += &self::light(light)?;
+    }
     for index in materials_in_use(scene) {
         let material = &scene.materials[index];
         let (name, texture) = (comment(&material.name), texture(material)?);
@@ -96,13 +98,14 @@ fn camera(camera: &Camera, image: Image) -> String {
     )
 }
 
-fn light(light: &Light) -> String {
+fn light(light: &Light) -> Result<String, String> {
     let (place, parallel) = match light.kind {
         LightKind::Point(place) => (place, ""),
+        LightKind::Area(_) => return Err(format!("light `{}`: it has a size, which is not written yet", light.name)),
         LightKind::Directional(towards) => (towards * FAR_AWAY, " parallel point_at <0, 0, 0>"),
     };
     let name = comment(&light.name);
-    format!("light_source {{ {} rgb {}{parallel} }} // {name}\n", vector(place), vector(light.colour))
+    Ok(format!("light_source {{ {} rgb {}{parallel} }} // {name}\n", vector(place), vector(light.colour)))
 }
 
 fn materials_in_use(scene: &Scene) -> BTreeSet<usize> {

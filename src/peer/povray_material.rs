@@ -50,6 +50,7 @@ pub(super) fn texture(material: &Material) -> Result<String, String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::scene::Split;
 
     fn material() -> Material {
         Material {
@@ -61,6 +62,9 @@ mod tests {
             reflectivity: 0.0,
             transparency: 0.5,
             index_of_refraction: 1.5,
+            split: Split::Weights,
+            dispersion: None,
+            medium: None,
             coat: None,
         }
     }

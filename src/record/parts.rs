@@ -8,19 +8,21 @@ use serde::Serialize;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum RayKind {
-    /// From the eye through a pixel's centre.
+    /// From the eye, or from a point of its lens, through a pixel.
     Camera,
     /// From a hit, mirrored about the normal.
     Reflected,
     /// From a hit, through the surface.
     Refracted,
-    /// From a hit towards a light.
+    /// From a hit or a point of a medium towards a light.
     Shadow,
+    /// From a point of a medium, turned by what floats there.
+    Scattered,
 }
 
 impl RayKind {
     /// All kinds, in the order in which they are listed everywhere.
-    pub const ALL: [Self; 4] = [Self::Camera, Self::Reflected, Self::Refracted, Self::Shadow];
+    pub const ALL: [Self; 5] = [Self::Camera, Self::Reflected, Self::Refracted, Self::Shadow, Self::Scattered];
 
     /// The word for it.
     #[must_use]
@@ -30,6 +32,7 @@ impl RayKind {
             Self::Reflected => "reflected",
             Self::Refracted => "refracted",
             Self::Shadow => "shadow",
+            Self::Scattered => "scattered",
         }
     }
 }

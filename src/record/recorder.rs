@@ -1,6 +1,6 @@
 //! Who listens while a ray is traced.
 
-use super::{Entry, RayKind};
+use super::{Effect, Entry, RayKind};
 
 /// Something that is counted, whatever else is recorded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -14,43 +14,10 @@ pub enum Counter {
     ExtentTest,
     /// An extent test that spared the work behind it.
     ExtentMiss,
-    /// Something that a surface carries was looked up.
-    Lookup(Lookup),
-}
-
-/// What a surface carries, for counting.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Lookup {
-    /// A polygon on a face.
-    Detail,
-    /// A picture on a surface.
-    Image,
-    /// A solid texture.
-    Solid,
-    /// A bump that turns the normal.
-    Bump,
-    /// A grain that turns the frame.
-    Frame,
-    /// The environment.
-    Environment,
-}
-
-impl Lookup {
-    /// All of them, in the order in which they are listed everywhere.
-    pub const ALL: [Self; 6] = [Self::Detail, Self::Image, Self::Solid, Self::Bump, Self::Frame, Self::Environment];
-
-    /// The word for it.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Detail => "details",
-            Self::Image => "image textures",
-            Self::Solid => "solid textures",
-            Self::Bump => "bumps",
-            Self::Frame => "frames",
-            Self::Environment => "environment",
-        }
-    }
+    /// The code of an effect was entered.
+    Call(Effect),
+    /// An effect sent a ray that there would not be without it.
+    Sent(Effect),
 }
 
 /// Listens to the one tracing code path. A recorder never answers a question and never changes a result.

@@ -1,5 +1,8 @@
 //! What can happen to a ray, one variant each.
 
+use super::camera::{Average, Confusion, Lens, LightSample, Sample};
+use super::medium::{Overlap, Phase, Scatter, Segment};
+use super::spectrum::{Conductor, Wavelength};
 use super::surface::{
     Bump, Detail, Environment, FrameMap, Lattice, Mapping, Octaves, Rings, Texels, Texture, Undulate,
 };
@@ -29,6 +32,8 @@ pub enum What {
         /// Where it goes, in world space; the length is kept.
         direction: Triple,
     },
+    /// One sample of a pixel that takes several.
+    Sample(Sample),
     /// One of the six steps of § 6.1.
     Step {
         /// 1 to 6.
@@ -36,6 +41,8 @@ pub enum What {
         /// The step in words.
         title: String,
     },
+    /// A ray that starts at a point of a lens.
+    Lens(Lens),
     /// A ray P(t) = origin + direction t in world space.
     Ray {
         /// Why it was sent.
@@ -50,6 +57,9 @@ pub enum What {
         medium: String,
         /// The share of its colour in the pixel, at most 1.
         weight: f64,
+        /// The one wavelength that it has, in nanometres; none where it has all of them.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        wavelength: Option<f64>,
         /// The surface that it left, whose own hit at t = 0 is not counted.
         left: Option<String>,
     },
@@ -267,6 +277,8 @@ pub enum What {
         /// The background's colour.
         background: Triple,
     },
+    /// How far the hit is out of focus.
+    Confusion(Confusion),
     /// A polygon on a face takes precedence over the face.
     Detail(Detail),
     /// The colour of a textured surface.
@@ -289,6 +301,12 @@ pub enum What {
     FrameMap(FrameMap),
     /// A look-up in the environment.
     Environment(Environment),
+    /// A stretch inside a medium.
+    Segment(Segment),
+    /// A point at which light is turned.
+    Scatter(Scatter),
+    /// By how much light is turned there.
+    Phase(Phase),
     /// The ambient term.
     Ambient {
         /// Its colour.
@@ -309,6 +327,8 @@ pub enum What {
         /// The specular term.
         specular: Triple,
     },
+    /// A point of a light that has a size.
+    LightSample(LightSample),
     /// Something between a hit and a light.
     Shadow {
         /// The object in the way.
@@ -324,8 +344,11 @@ pub enum What {
     Reflection {
         /// The direction, of the length of `dir`.
         direction: Triple,
-        /// The share of the reflected colour.
+        /// The share of the reflected colour; the largest of three where they differ.
         share: f64,
+        /// The shares of red, green and blue, where they differ.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        shares: Option<Triple>,
     },
     /// Snell's law at an interface.
     Snell {
@@ -346,6 +369,12 @@ pub enum What {
         /// Unpolarised Fresnel reflectance.
         reflectance: f64,
     },
+    /// A ray takes one wavelength.
+    Wavelength(Wavelength),
+    /// The reflectance of a metal.
+    Conductor(Conductor),
+    /// Two transparent objects fill the same space, which policy 1 forbids.
+    Overlap(Overlap),
     /// The media on both sides of a boundary.
     Medium {
         /// The object whose boundary it is.
@@ -387,6 +416,8 @@ pub enum What {
         /// The sum.
         total: Triple,
     },
+    /// The samples of a pixel, taken together.
+    Average(Average),
     /// The pixel as it is written.
     Written {
         /// Linear RGB before clamping.

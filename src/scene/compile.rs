@@ -1,13 +1,19 @@
 //! From the text of a scene file to a scene with every default and reference resolved, or to all that is wrong.
 
 use super::LeafCoat;
+use super::camera::Image;
+use super::camera_reader::{camera, lens, sampling};
 use super::check::check;
 use super::coat_reader::CoatReader;
 use super::diagnostics::Diagnostics;
-use super::file::{CameraFile, LightFile, LimitsFile, MOST_PIXELS, MaterialFile, MediaFile, SceneFile, scene_schema};
+use super::effects::{Effects, reasons};
+use super::file::{LimitsFile, MOST_PIXELS, MaterialFile, MediaFile, SceneFile, scene_schema};
 use super::files::{EmbeddedFiles, Files};
+use super::glass_reader::{dispersion, medium, split};
 use super::lenient::Lenient;
-use super::model::{Camera, Image, Light, LightKind, Limits, Material, MediaPolicy, Object, Scene, Shortcuts};
+use super::light::{Light, LightKind};
+use super::light_reader::lights;
+use super::model::{Limits, Material, MediaPolicy, Object, Scene, Shortcuts};
 use super::object_index::ObjectIndex;
 use super::problem::{Path, Problem, Problems};
 use super::rules::Rules;
@@ -56,7 +62,9 @@ pub fn load_with(text: &str, origin: &str, files: &dyn Files) -> Result<Scene, D
 /// Always `Some` where nothing is wrong.
 fn compile(file: SceneFile, files: &dyn Files, problems: &mut Problems) -> Option<Scene> {
     let image = image(&file, problems);
-    let camera = camera(file.camera.or_default(), problems);
+    let camera_file = file.camera.clone().or_default();
+    let camera = camera(&camera_file, problems);
+    let lens = camera_file.lens.as_ref().and_then(|file| lens(file, problems));
     let pixels = pixels(&file, image, problems);
     let lights = lights(&file, problems);
     let mut coats = CoatReader::new(files, problems);
@@ -72,12 +80,17 @@ fn compile(file: SceneFile, files: &dyn Files, problems: &mut Problems) -> Optio
     let index = ObjectIndex::new(&objects, &materials, &camera);
     let needs_beams = environment.as_ref().is_some_and(|environment| environment.averaged)
         || materials.iter().filter_map(|material| material.coat.as_ref()).any(|coat| coat.needs_footprints());
+    let scatters = |material: &Material| material.medium.is_some_and(|medium| medium.scattering != DVec3::ZERO);
+    let has_size = |light: &Light| matches!(light.kind, LightKind::Area(_));
+    let calls_for_samples = lens.is_some() || lights.iter().any(has_size) || materials.iter().any(scatters);
     let scene = Scene {
         title: file.title.or_default(),
         about: file.about.or_default(),
         sections: file.sections.or_default().into_iter().map(Lenient::or_default).collect(),
         camera,
+        lens,
         image,
+        sampling: sampling(&file.sampling.or_default(), calls_for_samples),
         ambient: DVec3::from_array(file.ambient.or_default().0.0),
         background: DVec3::from_array(file.background.or_default().0.0),
         environment,
@@ -88,6 +101,7 @@ fn compile(file: SceneFile, files: &dyn Files, problems: &mut Problems) -> Optio
         objects,
         index,
         shortcuts: Shortcuts::ALL,
+        effects: Effects::default(),
         media: match file.media.or_default() {
             MediaFile::Forbid => MediaPolicy::Forbid,
             MediaFile::MostRecent => MediaPolicy::MostRecent,
@@ -96,7 +110,8 @@ fn compile(file: SceneFile, files: &dyn Files, problems: &mut Problems) -> Optio
         limits: limits(file.limits.or_default()),
         pixels,
     };
-    Some(scene.at_frame(file.frame.or_default()))
+    let effects = Effects::of(&reasons(&scene));
+    Some(Scene { effects, ..scene.at_frame(file.frame.or_default()) })
 }
 
 fn limits(file: LimitsFile) -> Limits {
@@ -113,36 +128,8 @@ fn image(file: &SceneFile, problems: &mut Problems) -> Image {
     Image { width: size.width, height: size.height }
 }
 
-/// Sine of the angle between up and the view below which up has no direction in the picture: 1e-9 is far above what
-/// rounding leaves of two parallel vectors and far below what anyone would choose.
-const PARALLEL: f64 = 1e-9;
-
-fn camera(file: CameraFile, problems: &mut Problems) -> Option<Camera> {
-    let path = Path::Root.field("camera");
-    let eye = DVec3::from_array(file.eye);
-    let Some(forward) = unit(DVec3::from_array(file.look_at) - eye) else {
-        problems
-            .add(path.field("look_at"), "`look_at` is the same point as `eye`, so there is no direction to look in");
-        return None;
-    };
-    let Some(up) = unit(DVec3::from_array(file.up)) else {
-        problems.add(path.field("up"), "`up` must not be (0, 0, 0)");
-        return None;
-    };
-    let across = forward.cross(up);
-    if across.length() < PARALLEL {
-        problems
-            .add(path.field("up"), "`up` is parallel to the view from `eye` to `look_at`, so the picture has no top")
-            .help("choose another `up`, such as [0, 0, 1] or [0, 1, 0]");
-        return None;
-    }
-    let right = across.normalize();
-    let half_height = (file.field_of_view.to_radians() * 0.5).tan();
-    Some(Camera { eye, right, up: right.cross(forward), forward, half_height })
-}
-
 /// A unit vector; none for zero and for what overflows.
-fn unit(v: DVec3) -> Option<DVec3> {
+pub(super) fn unit(v: DVec3) -> Option<DVec3> {
     (v * crate::math::scale_to_unit(v.to_array())).try_normalize()
 }
 
@@ -161,26 +148,8 @@ fn pixels(file: &SceneFile, image: Image, problems: &mut Problems) -> Vec<[u32; 
     pixels
 }
 
-fn lights(file: &SceneFile, problems: &mut Problems) -> Vec<Light> {
-    let list = Path::Root.field("lights");
-    let files = file.lights.clone().or_default().into_iter().enumerate();
-    files.filter_map(|(i, light)| compile_light(light.0?, i, list.item(i), problems)).collect()
-}
-
-fn compile_light(file: LightFile, index: usize, path: Path, problems: &mut Problems) -> Option<Light> {
-    let (name, kind, colour) = match file {
-        LightFile::Point { name, point, colour } => (name, LightKind::Point(DVec3::from_array(point)), colour),
-        LightFile::Directional { name, directional, colour } => {
-            let Some(towards) = unit(DVec3::from_array(directional)) else {
-                problems.add(path.field("directional"), "the direction towards a light must not be (0, 0, 0)");
-                return None;
-            };
-            (name, LightKind::Directional(towards), colour)
-        }
-    };
-    let name = if name.is_empty() { format!("light {}", index + 1) } else { name };
-    Some(Light { name, kind, colour: DVec3::from_array(colour.0) })
-}
+/// The wavelength of the yellow line of helium in nanometres, at which indices of glass are told.
+const YELLOW: f64 = 587.5618;
 
 /// The materials, in the order of their names.
 fn materials(files: BTreeMap<String, Lenient<MaterialFile>>, coats: &mut CoatReader) -> Vec<Material> {
@@ -188,6 +157,7 @@ fn materials(files: BTreeMap<String, Lenient<MaterialFile>>, coats: &mut CoatRea
     let compiled = files.into_iter().map(|(name, file)| {
         let file = file.or_default();
         let coat = coats.coat(&file, list.field(&name));
+        let dispersion = file.dispersion.as_ref().map(dispersion);
         Material {
             name,
             ambient: DVec3::from_array(file.ambient.0),
@@ -196,7 +166,10 @@ fn materials(files: BTreeMap<String, Lenient<MaterialFile>>, coats: &mut CoatRea
             exponent: file.exponent,
             reflectivity: file.reflectivity,
             transparency: file.transparency,
-            index_of_refraction: file.index_of_refraction,
+            index_of_refraction: dispersion.map_or(file.index_of_refraction, |dispersion| dispersion.index(YELLOW)),
+            split: split(file.fresnel.as_ref()),
+            dispersion,
+            medium: file.medium.as_ref().and_then(medium),
             coat,
         }
     });

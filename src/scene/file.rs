@@ -6,7 +6,10 @@
 
 use super::SolidFile;
 use super::around_file::EnvironmentFile;
+use super::camera_file::{CameraFile, SamplingFile};
+use super::glass_file::{DispersionFile, FresnelFile, MediumFile};
 use super::lenient::Lenient;
+use super::light_file::LightFile;
 use super::relief_file::{BumpFile, FrameFile};
 use super::texture_file::TextureFile;
 use schemars::{JsonSchema, Schema};
@@ -35,6 +38,8 @@ pub struct SceneFile {
     pub camera: Lenient<CameraFile>,
     /// The picture's size.
     pub image: Lenient<ImageFile>,
+    /// How pixels are sampled.
+    pub sampling: Lenient<SamplingFile>,
     /// Ambient light: every surface sends back this times its ambient colour.
     pub ambient: Lenient<Ambient>,
     /// What a ray sees that hits nothing.
@@ -89,28 +94,6 @@ impl Default for Background {
     }
 }
 
-/// The eye and where it looks.
-#[derive(Clone, Copy, Debug, Deserialize, Serialize, JsonSchema)]
-#[serde(default)]
-#[schemars(deny_unknown_fields)]
-pub struct CameraFile {
-    /// Where the eye is.
-    pub eye: [f64; 3],
-    /// The point in the middle of the picture; not the eye itself.
-    pub look_at: [f64; 3],
-    /// The direction that is up in the picture; not parallel to the view.
-    pub up: [f64; 3],
-    /// The vertical field of view in degrees, between 0 and 180.
-    #[schemars(extend("exclusiveMinimum" = 0, "exclusiveMaximum" = 180))]
-    pub field_of_view: f64,
-}
-
-impl Default for CameraFile {
-    fn default() -> Self {
-        Self { eye: [4.0, -6.0, 3.0], look_at: [0.0; 3], up: [0.0, 0.0, 1.0], field_of_view: 35.0 }
-    }
-}
-
 /// The picture's size in pixels, 64,000,000 at most.
 #[derive(Clone, Copy, Debug, Deserialize, Serialize, JsonSchema)]
 #[serde(default)]
@@ -128,39 +111,6 @@ impl Default for ImageFile {
     fn default() -> Self {
         Self { width: 640, height: 480 }
     }
-}
-
-/// A light: a point or a direction.
-#[derive(Clone, Debug, Deserialize, Serialize, JsonSchema)]
-#[serde(untagged)]
-#[schemars(deny_unknown_fields)]
-pub enum LightFile {
-    /// A point; its light does not fade with distance.
-    Point {
-        /// Its name; `light 1`, `light 2` … if left out.
-        #[serde(default, skip_serializing_if = "String::is_empty")]
-        name: String,
-        /// Where it is.
-        point: [f64; 3],
-        /// Its colour.
-        #[serde(default = "white")]
-        colour: Colour,
-    },
-    /// A light infinitely far away.
-    Directional {
-        /// Its name; `light 1`, `light 2` … if left out.
-        #[serde(default, skip_serializing_if = "String::is_empty")]
-        name: String,
-        /// The direction **towards** the light, of any length.
-        directional: [f64; 3],
-        /// Its colour.
-        #[serde(default = "white")]
-        colour: Colour,
-    },
-}
-
-fn white() -> Colour {
-    Colour([1.0; 3])
 }
 
 /// How a surface answers light.
@@ -198,6 +148,18 @@ pub struct MaterialFile {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(with = "FrameFile")]
     pub frame: Option<FrameFile>,
+    /// Fresnel's equations decide how much is mirrored and how much goes through, in place of `reflectivity`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "FresnelFile")]
+    pub fresnel: Option<FresnelFile>,
+    /// An index of refraction that depends on the wavelength, in place of `index_of_refraction`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "DispersionFile")]
+    pub dispersion: Option<DispersionFile>,
+    /// What fills an object of this material, where it takes light away; the material has to be transparent.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "MediumFile")]
+    pub medium: Option<MediumFile>,
     /// Whether mirrored and refracted directions are followed, or only looked up in the environment.
     pub mirrors: MirrorsFile,
 }
@@ -226,6 +188,9 @@ impl Default for MaterialFile {
             texture: None,
             bump: None,
             frame: None,
+            fresnel: None,
+            dispersion: None,
+            medium: None,
             mirrors: MirrorsFile::Scene,
         }
     }

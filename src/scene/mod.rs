@@ -4,16 +4,25 @@
 //! resolved; nobody asks again.
 
 mod around_file;
+mod camera;
+mod camera_file;
+mod camera_reader;
 mod check;
 mod coat;
 mod coat_reader;
 mod compile;
 mod detail;
 mod diagnostics;
+mod effects;
 mod embedded;
 mod file;
 mod files;
+mod glass_file;
+mod glass_reader;
 mod lenient;
+mod light;
+mod light_file;
+mod light_reader;
 mod model;
 mod object_index;
 mod pictures;
@@ -31,20 +40,24 @@ mod texture_file;
 mod transform;
 
 pub use around_file::{DetailFile, EnvironmentFile, EnvironmentFilterFile, LayoutFile};
+pub use camera::{Adaptive, Camera, Image, Lens, Sampling};
+pub use camera_file::{AdaptiveFile, ApertureFile, CameraFile, LensFile, PixelFilterFile, SamplingFile};
 pub use coat::{Bumps, Coat, GrainCoat, LeafCoat, MovingTexture, Texture, mapped_part};
 pub use compile::{load, load_with};
 pub use detail::Detail;
 pub use diagnostics::{Diagnostic, Diagnostics};
+pub use effects::{ALL_EFFECTS, Effects, Reason, reasons};
 pub use embedded::{EmbeddedScene, embedded_scene, embedded_scenes};
 pub use file::{
-    Ambient, Background, CameraFile, Colour, ImageFile, LightFile, LimitsFile, MOST_PIXELS, MaterialFile, MediaFile,
-    MirrorsFile, SceneFile, scene_schema,
+    Ambient, Background, Colour, ImageFile, LimitsFile, MOST_PIXELS, MaterialFile, MediaFile, MirrorsFile, SceneFile,
+    scene_schema,
 };
 pub use files::{EmbeddedFiles, Files};
+pub use glass_file::{DispersionFile, FresnelFile, GlassFile, MediumFile, MetalFile};
 pub use lenient::Lenient;
-pub use model::{
-    Camera, Image, Light, LightKind, Limits, Material, MediaPolicy, Object, Rgb, Scene, SceneEnvironment, Shortcuts,
-};
+pub use light::{Area, Light, LightKind};
+pub use light_file::{AreaFile, LightFile};
+pub use model::{Limits, Material, MediaPolicy, Object, Rgb, Scene, SceneEnvironment, Shortcuts, Split};
 pub use object_index::ObjectIndex;
 pub use pictures::{decode, decode_heights};
 pub use projection::Projection;

@@ -1,7 +1,8 @@
 //! A compiled scene: what the tracer sees.
 
-use super::{Coat, Detail, LeafCoat, ObjectIndex};
+use super::{Camera, Coat, Detail, Effects, Image, LeafCoat, Lens, Light, ObjectIndex, Sampling};
 use crate::csg::{Boundary, Solid};
+use crate::optics::{Dispersion, Medium};
 use crate::shape::Primitive;
 use crate::texture::image::Environment;
 use glam::{DVec2, DVec3};
@@ -9,97 +10,6 @@ use smallvec::SmallVec;
 
 /// Linear RGB.
 pub type Rgb = DVec3;
-
-/// The eye and the image plane, resolved to an orthonormal frame.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Camera {
-    /// Where the eye is.
-    pub eye: DVec3,
-    /// Unit vector to the right of the image.
-    pub right: DVec3,
-    /// Unit vector towards the top of the image.
-    pub up: DVec3,
-    /// Unit vector into the image.
-    pub forward: DVec3,
-    /// Half the height of the image plane at distance 1: tan(vertical field of view / 2).
-    pub half_height: f64,
-}
-
-impl Camera {
-    /// The direction of the ray through the point (x, y) of the picture, not normalised: its end lies on the image plane at
-    /// distance 1. Pixels have side 1, and the centre of the top left one is (0.5, 0.5).
-    #[must_use]
-    pub fn ray_direction(&self, image: Image, x: f64, y: f64) -> DVec3 {
-        self.direction_through(self.place(image, x, y))
-    }
-
-    /// The direction of the ray through a place on the image plane at distance 1, across and upwards from its middle.
-    #[must_use]
-    pub fn direction_through(&self, [across, upwards]: [f64; 2]) -> DVec3 {
-        self.forward + self.right * across + self.up * upwards
-    }
-
-    /// Where the point (x, y) of the picture lies on the image plane at distance 1: across and upwards from its middle.
-    #[must_use]
-    pub fn place(&self, image: Image, x: f64, y: f64) -> [f64; 2] {
-        let (half_width, half_height) = self.half_size(image);
-        let across = half_width * (2.0 * x / f64::from(image.width) - 1.0);
-        let upwards = half_height * (1.0 - 2.0 * y / f64::from(image.height));
-        [across, upwards]
-    }
-
-    /// The point of the picture at a place on the image plane: what [`place`](Self::place) undoes.
-    #[must_use]
-    pub fn pixel_at(&self, image: Image, [across, upwards]: [f64; 2]) -> [f64; 2] {
-        let (half_width, half_height) = self.half_size(image);
-        let (width, height) = (f64::from(image.width), f64::from(image.height));
-        [0.5 * (1.0 + across / half_width) * width, 0.5 * (1.0 - upwards / half_height) * height]
-    }
-
-    /// Where a point of the world appears in the picture; none if it is not in front of the eye.
-    #[must_use]
-    pub fn project(&self, image: Image, world: DVec3) -> Option<[f64; 2]> {
-        let from_eye = world - self.eye;
-        let depth = from_eye.dot(self.forward);
-        let pixel = self.pixel_at(image, [from_eye.dot(self.right) / depth, from_eye.dot(self.up) / depth]);
-        (depth > 0.0 && pixel.iter().all(|x| x.is_finite())).then_some(pixel)
-    }
-
-    /// Half the width and height of the image plane at distance 1.
-    #[must_use]
-    pub fn half_size(&self, image: Image) -> (f64, f64) {
-        (self.half_height * f64::from(image.width) / f64::from(image.height), self.half_height)
-    }
-}
-
-/// The picture's size in pixels.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Image {
-    /// Columns.
-    pub width: u32,
-    /// Rows.
-    pub height: u32,
-}
-
-/// Where light comes from.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum LightKind {
-    /// A point; its light does not fade with distance.
-    Point(DVec3),
-    /// From infinitely far away; the unit vector **towards** the light.
-    Directional(DVec3),
-}
-
-/// A light source.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Light {
-    /// Its name.
-    pub name: String,
-    /// Point or directional.
-    pub kind: LightKind,
-    /// Its colour, not limited to 1.
-    pub colour: Rgb,
-}
 
 /// How a surface answers light.
 #[derive(Clone, Debug, PartialEq)]
@@ -118,13 +28,45 @@ pub struct Material {
     pub reflectivity: f64,
     /// Weight of the transmitted ray, 0 to 1.
     pub transparency: f64,
-    /// Index of refraction relative to vacuum.
+    /// Index of refraction relative to vacuum; of a dispersive material that at 587.56 nm, the yellow line of helium.
     pub index_of_refraction: f64,
+    /// What decides how much is mirrored and how much goes through.
+    pub split: Split,
+    /// The index of refraction by wavelength, where it depends on it.
+    pub dispersion: Option<Dispersion>,
+    /// What fills an object of this material, where that takes light away.
+    pub medium: Option<Medium>,
     /// What it carries besides its plain colours, if anything.
     pub coat: Option<Box<Coat>>,
 }
 
+/// What decides how much light is mirrored at a surface and how much goes through.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Split {
+    /// Fixed weights, whatever the angle: those of Hill's shading model.
+    #[default]
+    Weights,
+    /// Fresnel's equations for two media that do not absorb.
+    Dielectric,
+    /// Fresnel's equations for a metal of index η + i k, by colour; nothing goes through.
+    Conductor {
+        /// η.
+        eta: Rgb,
+        /// k.
+        k: Rgb,
+    },
+}
+
 impl Material {
+    /// The index of refraction for a wavelength in nanometres, or for light of all of them.
+    #[must_use]
+    pub fn index_at(&self, wavelength: Option<f64>) -> f64 {
+        match (&self.dispersion, wavelength) {
+            (Some(dispersion), Some(nanometres)) => dispersion.index(nanometres),
+            _ => self.index_of_refraction,
+        }
+    }
+
     /// Whether mirrored and refracted directions are looked up in the environment and not followed.
     #[must_use]
     pub fn mirrors_environment(&self) -> bool {
@@ -247,8 +189,12 @@ pub struct Scene {
     pub sections: Vec<String>,
     /// The eye.
     pub camera: Camera,
+    /// The lens, if it has one.
+    pub lens: Option<Box<Lens>>,
     /// The picture.
     pub image: Image,
+    /// How its pixels are sampled.
+    pub sampling: Sampling,
     /// Ambient light.
     pub ambient: Rgb,
     /// What a ray sees that hits nothing, where there is no environment.
@@ -269,42 +215,12 @@ pub struct Scene {
     pub index: ObjectIndex,
     /// What rays are spared.
     pub shortcuts: Shortcuts,
+    /// The effects that it calls for; no other effect runs any code.
+    pub effects: Effects,
     /// What happens where transparent objects overlap.
     pub media: MediaPolicy,
     /// Where a ray's tree ends.
     pub limits: Limits,
     /// The pixel that tells the scene's story best: where the workbench starts and what the snapshot pins.
     pub pixels: Vec<[u32; 2]>,
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    const IMAGE: Image = Image { width: 200, height: 100 };
-    const CAMERA: Camera =
-        Camera { eye: DVec3::ZERO, right: DVec3::X, up: DVec3::Z, forward: DVec3::Y, half_height: 0.5 };
-
-    #[test]
-    fn the_middle_of_the_picture_is_straight_ahead() {
-        assert_eq!(CAMERA.ray_direction(IMAGE, 100.0, 50.0), DVec3::Y);
-    }
-
-    #[test]
-    fn the_corners_are_half_a_picture_away() {
-        assert_eq!(CAMERA.ray_direction(IMAGE, 0.0, 0.0), DVec3::new(-1.0, 1.0, 0.5));
-        assert_eq!(CAMERA.ray_direction(IMAGE, 200.0, 100.0), DVec3::new(1.0, 1.0, -0.5));
-    }
-
-    #[test]
-    fn projecting_a_point_of_a_ray_gives_the_pixel_of_the_ray() {
-        let [x, y] = CAMERA.project(IMAGE, CAMERA.ray_direction(IMAGE, 33.5, 71.5) * 8.0).unwrap();
-        assert!((x - 33.5).abs() < 1e-12 && (y - 71.5).abs() < 1e-12);
-    }
-
-    #[test]
-    fn what_is_behind_or_beside_the_eye_is_not_in_the_picture() {
-        assert_eq!(CAMERA.project(IMAGE, -DVec3::Y), None);
-        assert_eq!(CAMERA.project(IMAGE, DVec3::X), None);
-    }
 }

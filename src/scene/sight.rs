@@ -225,7 +225,7 @@ impl Sights {
         let half = DVec2::from(scene.camera.half_size(scene.image));
         let of_light = |light: &Light| match light.kind {
             LightKind::Point(position) => Some(LightSight::new(position, &scene.objects, &index.bounded, index.skew)),
-            LightKind::Directional(_) => None,
+            LightKind::Directional(_) | LightKind::Area(_) => None,
         };
         Self {
             eye: Sight::new(&scene.camera, half, &scene.objects, &index.bounded, blur),

@@ -3,7 +3,7 @@
 use super::departure::Ahead;
 use super::ray::{Ray, Tracer};
 use crate::csg::{Boundary, Course, Extent, IntervalList, Leaf};
-use crate::record::{Counter, Entry, Lookup, Recorder, Sense, Value, What};
+use crate::record::{Counter, Effect, Entry, Recorder, Sense, Value, What};
 use crate::scene::{Detail, Material, Projection};
 use crate::shape::Primitive;
 use glam::{DVec2, DVec3};
@@ -213,7 +213,7 @@ impl Tracer<'_> {
         let surface = Surface { object, boundary, sense, material, point, n_geometric, n_shading };
         recorder.note(|| self.describe_hit(ray, &surface));
         if let Some((detail, place)) = detail {
-            recorder.count(Counter::Lookup(Lookup::Detail));
+            recorder.count(Counter::Call(Effect::Details));
             recorder.note(|| self.describe_detail(&surface, detail, place));
         }
         surface

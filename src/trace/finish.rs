@@ -4,7 +4,7 @@
 use super::beam::Corner;
 use super::closest::Surface;
 use super::ray::Tracer;
-use crate::record::{self, Counter, Entry, Lookup, Recorder, What};
+use crate::record::{self, Counter, Effect, Entry, Recorder, What};
 use crate::scene::{Bumps, Coat, Material, MovingTexture, Rgb, Texture, mapped_part};
 use crate::shape::Primitive;
 use crate::texture::image::{ImageTexture, Place};
@@ -49,11 +49,11 @@ impl<'a> Tracer<'a> {
         }
         let mut site = self.site(surface);
         if let Some(bump) = &coat.bump {
-            recorder.count(Counter::Lookup(Lookup::Bump));
+            recorder.count(Counter::Call(Effect::Bumps));
             site.normal = self.bumped(surface, bump, &site, recorder);
         }
         let frame = coat.frame.as_ref().map(|coat| {
-            recorder.count(Counter::Lookup(Lookup::Frame));
+            recorder.count(Counter::Call(Effect::Frames));
             (coat.grain.frame(&site, coat.roughness, recorder), coat.roughness)
         });
         let normal = frame.map_or(site.normal, |(frame, _)| frame.normal);
@@ -109,7 +109,7 @@ impl<'a> Tracer<'a> {
     ) -> Rgb {
         match texture {
             Texture::Image { image, parts } => {
-                recorder.count(Counter::Lookup(Lookup::Image));
+                recorder.count(Counter::Call(Effect::ImageTextures));
                 let uv = self.uv(surface, surface.point);
                 recorder.event(
                     |recorder| self.image_colour(surface, uv, (image, parts), corners, recorder),
@@ -117,7 +117,7 @@ impl<'a> Tracer<'a> {
                 )
             }
             Texture::Solid(moving) => {
-                recorder.count(Counter::Lookup(Lookup::Solid));
+                recorder.count(Counter::Call(Effect::SolidTextures));
                 let point = self.texture_point(surface, moving);
                 recorder.event(
                     |recorder| moving.texture.colour(point, recorder),

@@ -6,7 +6,7 @@ use super::finish::Finish;
 use super::highlight::Highlight;
 use super::ray::{Components, Ray, Tracer};
 use crate::optics::MediaStack;
-use crate::record::{Counter, Entry, RayKind, Recorder, What};
+use crate::record::{Counter, Effect, Entry, RayKind, Recorder, What};
 use crate::scene::{Light, LightKind, Object, Rgb};
 use glam::DVec3;
 use smallvec::SmallVec;
@@ -30,6 +30,7 @@ impl Way {
                 let direction = position - point;
                 Self { direction, towards: direction.normalize_or_zero(), limit: 1.0, light }
             }
+            LightKind::Area(_) => Self { direction: DVec3::Z, towards: DVec3::Z, limit: 1.0, light },
             LightKind::Directional(towards) => Self { direction: towards, towards, limit: f64::INFINITY, light },
         }
     }
@@ -101,13 +102,13 @@ impl Tracer<'_> {
         let light = &self.scene.lights[index];
         let way = Way::new(&self.scene.lights, index, surface.point);
         let n_dot_l = surface.n_shading.dot(way.towards);
-        let share = if n_dot_l > 0.0 { self.arriving(ray, surface, &way, recorder) } else { 0.0 };
+        let share = if n_dot_l > 0.0 { self.arriving(ray, surface, &way, recorder) } else { Rgb::ZERO };
         let arriving = light.colour * share;
         let material = finish.material;
         let diffuse = arriving * finish.diffuse * n_dot_l.max(0.0);
         let eye = || -ray.direction.normalize();
         // A root, a quotient and a power are dear, and 0 times them is 0.
-        let is_lit = share > 0.0 && material.specular != Rgb::ZERO;
+        let is_lit = share != Rgb::ZERO && material.specular != Rgb::ZERO;
         let highlight = (is_lit || R::RECORDING).then(|| Highlight::new(finish, surface.n_shading, way.towards, eye()));
         let specular = highlight.as_ref().map_or(Rgb::ZERO, |h| arriving * material.specular * h.value());
         recorder.end(|| {
@@ -138,9 +139,9 @@ impl Tracer<'_> {
         [diffuse, specular]
     }
 
-    /// The share of a light that arrives: a shadow ray, stopped by the first opaque object. Each surface
+    /// The share of a light that arrives, by colour: a shadow ray, stopped by the first opaque object. Each surface
     /// of a transparent object passes its transparency, as it does for a ray from the eye; shadow rays are not bent.
-    fn arriving<R: Recorder>(&self, ray: &Ray, surface: &Surface, way: &Way, recorder: &mut R) -> f64 {
+    fn arriving<R: Recorder>(&self, ray: &Ray, surface: &Surface, way: &Way, recorder: &mut R) -> Rgb {
         let shadow = Ray {
             kind: RayKind::Shadow,
             origin: surface.point,
@@ -153,13 +154,20 @@ impl Tracer<'_> {
             media: if R::RECORDING { ray.media.clone() } else { MediaStack::default() },
             place: None,
             beam: None,
+            wavelength: ray.wavelength,
+            turns: ray.turns,
+            stream: ray.stream,
         };
+        recorder.count(Counter::Call(Effect::Shadows));
+        recorder.count(Counter::Sent(Effect::Shadows));
         recorder.count(Counter::Ray(RayKind::Shadow));
         if !R::RECORDING {
-            return self.let_through(&shadow, way.light, way.limit, recorder);
+            let share = self.let_through(&shadow, way.light, way.limit, recorder);
+            return self.clearness(&shadow, way.limit, recorder) * share;
         }
         recorder.begin();
         let share = self.told_let_through(&shadow, way.limit, recorder);
+        let share = self.clearness(&shadow, way.limit, recorder) * share;
         recorder.end(|| self.describe_ray(&shadow));
         share
     }

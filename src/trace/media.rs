@@ -78,9 +78,9 @@ impl Tracer<'_> {
         media.current(policy, |object| self.scene.objects[object].priority)
     }
 
-    /// The index of refraction of the medium in an object, or of air.
-    pub(super) fn index_of_refraction(&self, medium: Option<usize>) -> f64 {
-        medium.map_or(1.0, |object| self.scene.materials[self.scene.objects[object].material].index_of_refraction)
+    /// The index of refraction of the medium in an object, or of air, for one wavelength or for all.
+    pub(super) fn index_of_refraction(&self, medium: Option<usize>, wavelength: Option<f64>) -> f64 {
+        medium.map_or(1.0, |object| self.scene.materials[self.scene.objects[object].material].index_at(wavelength))
     }
 
     /// The name of the object whose medium it is, or air.

@@ -6,7 +6,8 @@ use super::departure::{Ahead, Departure};
 use super::spawn::Meeting;
 use crate::csg::{Course, IntervalList, Solid};
 use crate::optics::MediaStack;
-use crate::record::{Counter, Entry, Lookup, NullRecorder, RayKind, Recorder, What};
+use crate::record::{Counter, Effect, Entry, NullRecorder, RayKind, Recorder, What};
+use crate::sample::Stream;
 use crate::scene::{Object, Rgb, Scene, Shortcuts, Sights};
 use glam::DVec3;
 
@@ -33,6 +34,12 @@ pub struct Ray {
     pub place: Option<[f64; 2]>,
     /// The rays through its pixel's corners, where the scene calls for them.
     pub beam: Option<Box<Beam>>,
+    /// The one wavelength that it has, in nanometres, once it has met a dispersive surface; none for light of all of them.
+    pub wavelength: Option<f64>,
+    /// How often its path was turned in a medium.
+    pub turns: u32,
+    /// Its random numbers.
+    pub stream: Stream,
 }
 
 /// Rays that a pixel may spawn. Depth alone does not bound them: where each ray spawns two, every level doubles them.
@@ -55,6 +62,9 @@ impl Ray {
             media,
             place,
             beam: None,
+            wavelength: None,
+            turns: 0,
+            stream: Stream::default(),
         }
     }
 
@@ -182,7 +192,7 @@ impl<'a> Tracer<'a> {
     /// The light from infinitely far away, against `direction`; black where the scene has no environment.
     pub(super) fn see_environment<R: Recorder>(&self, direction: DVec3, beam: Option<&Beam>, recorder: &mut R) -> Rgb {
         let Some(environment) = &self.scene.environment else { return Rgb::ZERO };
-        recorder.count(Counter::Lookup(Lookup::Environment));
+        recorder.count(Counter::Call(Effect::Environment));
         let corners = beam.filter(|_| environment.averaged).map(Beam::directions);
         environment.map.towards(direction, corners, recorder)
     }
@@ -214,6 +224,7 @@ impl<'a> Tracer<'a> {
             depth: ray.depth,
             medium: self.medium_name(self.current_medium(&ray.media)),
             weight: ray.weight,
+            wavelength: ray.wavelength,
             left,
         })
     }

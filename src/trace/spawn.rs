@@ -6,7 +6,7 @@ use super::departure::Departure;
 use super::media::MediaCrossing;
 use super::ray::{Components, MOST_RAYS, Ray, Tracer};
 use crate::optics::{MediaStack, Optics, reflect, refract, snell_entry};
-use crate::record::{Entry, RayKind, Recorder, What};
+use crate::record::{Counter, Effect, Entry, RayKind, Recorder, What};
 use crate::scene::{Material, Rgb};
 use glam::DVec3;
 
@@ -19,11 +19,13 @@ pub(super) struct Meeting<'a> {
 
 /// A ray that is to be sent from a surface.
 struct Offspring {
+    /// What calls for it.
+    effect: Effect,
     kind: RayKind,
     direction: DVec3,
     beam: Option<Box<Beam>>,
-    /// The share of what it brings back.
-    share: f64,
+    /// The share of what it brings back, by colour.
+    share: Rgb,
     media: MediaStack,
     /// How many rays it may spawn in turn; none where its parent may not even spawn it.
     budget: Option<u32>,
@@ -54,18 +56,26 @@ impl Tracer<'_> {
         if share > 0.0 {
             let direction = surface.kept_outside(reflect(ray.direction, surface.n_shading));
             recorder.note(|| describe_reflection(ray, surface, direction, share));
+            // Where all light is reflected inside glass, it is the glass that calls for the mirrored ray.
+            let effect = if material.reflectivity > 0.0 { Effect::Reflection } else { Effect::Refraction };
+            recorder.count(Counter::Call(effect));
             let (kind, media) = (RayKind::Reflected, ray.media.clone());
             let beam = corners.as_deref().map(|corners| Beam::mirrored(corners, surface));
-            let offspring = Offspring { kind, direction, beam, share, media, budget };
+            let share = Rgb::splat(share);
+            let offspring = Offspring { effect, kind, direction, beam, share, media, budget };
             components.reflected = self.look(ray, meeting, offspring, recorder);
         }
         if let Some(direction) = refracted {
+            let effect = Effect::Refraction;
+            recorder.count(Counter::Call(effect));
             let (kind, media) = (RayKind::Refracted, crossing.media_after(ray));
             let direction = surface.kept_inside(direction);
-            let indices = [crossing.before, crossing.after].map(|medium| self.index_of_refraction(medium));
+            let indices =
+                [crossing.before, crossing.after].map(|medium| self.index_of_refraction(medium, ray.wavelength));
             let way = [ray.direction, direction];
             let beam = corners.as_deref().map(|corners| Beam::bent(corners, surface, way, indices));
-            let offspring = Offspring { kind, direction, beam, share: material.transparency, media, budget };
+            let share = Rgb::splat(material.transparency);
+            let offspring = Offspring { effect, kind, direction, beam, share, media, budget };
             components.transmitted = self.look(ray, meeting, offspring, recorder);
         }
     }
@@ -90,13 +100,15 @@ impl Tracer<'_> {
         let (kind, media) = (RayKind::Refracted, crossing.media_after(ray));
         let budget = budget_for_each(ray, 1);
         let beam = self.corners(ray, surface).map(|corners| Beam::straight_on(&corners));
-        let offspring = Offspring { kind, direction: ray.direction, beam, share: 1.0, media, budget };
+        let share = Rgb::ONE;
+        let effect = Effect::Refraction;
+        let offspring = Offspring { effect, kind, direction: ray.direction, beam, share, media, budget };
         self.spawn(ray, surface, offspring, recorder)
     }
 
     fn bend(&self, ray: &Ray, surface: &Surface, crossing: &MediaCrossing, recorder: &mut impl Recorder) -> Optics {
-        let n1 = self.index_of_refraction(crossing.before);
-        let n2 = self.index_of_refraction(crossing.after);
+        let n1 = self.index_of_refraction(crossing.before, ray.wavelength);
+        let n2 = self.index_of_refraction(crossing.after, ray.wavelength);
         let optics = refract(ray.direction, surface.n_shading, n1, n2);
         recorder.note(|| snell_entry(ray.direction, surface.n_shading, n1, n2, &optics));
         optics
@@ -104,22 +116,26 @@ impl Tracer<'_> {
 
     /// Sends a ray from the surface and returns its colour times `share`, or black where a limit stops it.
     fn spawn<R: Recorder>(&self, parent: &Ray, surface: &Surface, offspring: Offspring, recorder: &mut R) -> Rgb {
-        let Offspring { kind, direction, beam, share, media, budget } = offspring;
+        let Offspring { effect, kind, direction, beam, share, media, budget } = offspring;
         let ray = Ray {
             kind,
             origin: surface.point,
             direction,
             depth: parent.depth + 1,
-            weight: parent.weight * share,
+            weight: parent.weight * share.max_element(),
             budget: budget.unwrap_or(0),
             departure: Some(Departure::new(surface, parent.direction, direction)),
             media,
             place: None,
             beam,
+            wavelength: parent.wavelength,
+            turns: parent.turns,
+            stream: parent.stream.branch(kind as u32),
         };
         if self.stopped_by_a_limit(&ray, budget.is_none(), recorder) {
             return Rgb::ZERO;
         }
+        recorder.count(Counter::Sent(effect));
         recorder.begin();
         let colour = self.trace(&ray, recorder) * share;
         recorder.end(|| self.describe_ray(&ray));
@@ -151,7 +167,7 @@ impl Tracer<'_> {
 
 fn describe_reflection(ray: &Ray, surface: &Surface, mirrored: DVec3, share: f64) -> Entry {
     let bindings = [("dir", ray.direction.to_array().into()), ("m", surface.n_shading.to_array().into())];
-    Entry::new(What::Reflection { direction: mirrored.to_array(), share }).line(
+    Entry::new(What::Reflection { direction: mirrored.to_array(), share, shares: None }).line(
         "r",
         "dir − 2 (dir · m) m",
         &bindings,

@@ -1,6 +1,6 @@
 //! Counts what a picture took.
 
-use crate::record::{Counter, Entry, Lookup, RayKind, Recorder};
+use crate::record::{Counter, Effect, Entry, RayKind, Recorder};
 use crate::shape::Shape;
 
 /// A [`Recorder`] that counts and keeps nothing else.
@@ -10,14 +10,15 @@ pub struct Tally {
     shape_tests: Vec<u64>,
     extent_tests: u64,
     extent_misses: u64,
-    lookups: [u64; Lookup::ALL.len()],
+    calls: [u64; Effect::ALL.len()],
+    sent: [u64; Effect::ALL.len()],
 }
 
 impl Default for Tally {
     fn default() -> Self {
         let shape_tests = vec![0; Shape::NAMES.len()];
-        let (rays, lookups) = ([0; RayKind::ALL.len()], [0; Lookup::ALL.len()]);
-        Self { rays, shape_tests, extent_tests: 0, extent_misses: 0, lookups }
+        let (rays, calls, sent) = ([0; RayKind::ALL.len()], [0; Effect::ALL.len()], [0; Effect::ALL.len()]);
+        Self { rays, shape_tests, extent_tests: 0, extent_misses: 0, calls, sent }
     }
 }
 
@@ -46,10 +47,16 @@ impl Tally {
         self.extent_misses
     }
 
-    /// How often something that a surface carries was looked up.
+    /// How often the code of an effect was entered.
     #[must_use]
-    pub const fn lookups(&self, lookup: Lookup) -> u64 {
-        self.lookups[lookup as usize]
+    pub const fn calls(&self, effect: Effect) -> u64 {
+        self.calls[effect as usize]
+    }
+
+    /// How many rays were sent that there would not be without the effect.
+    #[must_use]
+    pub const fn sent(&self, effect: Effect) -> u64 {
+        self.sent[effect as usize]
     }
 
     /// Adds the counts of another part of the picture.
@@ -58,7 +65,8 @@ impl Tally {
         let add = |to: &mut [u64], from: &[u64]| to.iter_mut().zip(from).for_each(|(to, from)| *to += from);
         add(&mut self.rays, &other.rays);
         add(&mut self.shape_tests, &other.shape_tests);
-        add(&mut self.lookups, &other.lookups);
+        add(&mut self.calls, &other.calls);
+        add(&mut self.sent, &other.sent);
         self.extent_tests += other.extent_tests;
         self.extent_misses += other.extent_misses;
         self
@@ -78,7 +86,8 @@ impl Recorder for Tally {
             Counter::ShapeTest(shape) => self.shape_tests[shape] += 1,
             Counter::ExtentTest => self.extent_tests += 1,
             Counter::ExtentMiss => self.extent_misses += 1,
-            Counter::Lookup(lookup) => self.lookups[lookup as usize] += 1,
+            Counter::Call(effect) => self.calls[effect as usize] += 1,
+            Counter::Sent(effect) => self.sent[effect as usize] += 1,
         }
     }
 }

@@ -14,9 +14,17 @@ pub struct RayTree {
 }
 
 impl RayTree {
-    /// The linear colour that the root's ray brought back.
+    /// The linear colour that the root's ray brought back; of several samples their mean.
     #[must_use]
     pub fn colour(&self) -> Triple {
+        let mean = self.children(0).find_map(|event| match &event.what {
+            What::Average(average) => Some(average.colour),
+            _ => None,
+        });
+        mean.unwrap_or_else(|| self.colour_of_ray())
+    }
+
+    fn colour_of_ray(&self) -> Triple {
         let steps = self.children(0).filter(|event| matches!(event.what, What::Step { .. }));
         let mut found = steps.flat_map(|step| self.children(step.id)).filter_map(|event| match event.what {
             What::Colour { total, .. } => Some(total),

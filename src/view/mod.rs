@@ -16,6 +16,8 @@ mod palette;
 #[cfg(test)]
 mod sample;
 #[cfg(test)]
+mod sample_effects;
+#[cfg(test)]
 mod sample_texture;
 mod scan_drawing;
 mod scan_text;

@@ -85,6 +85,8 @@ pub struct Palette {
     pub refracted: Colour,
     /// Shadow rays.
     pub shadow: Colour,
+    /// Rays that were turned in a medium.
+    pub scattered: Colour,
     /// Normals.
     pub normal: Colour,
     /// Extents.
@@ -118,6 +120,7 @@ static LIGHT: Palette = Palette {
     reflected: Colour::hex(0xc8_4e_00),
     refracted: Colour::hex(0x00_80_5e),
     shadow: Colour::hex(0x8a_6d_00),
+    scattered: Colour::hex(0x9a_3f_a8),
     normal: Colour::hex(0xa8_4a_7f),
     extent: Colour::hex(0x7a_80_8a),
     left: Colour::hex(0x2b_8b_c9),
@@ -149,6 +152,7 @@ static DARK: Palette = Palette {
     reflected: Colour::hex(0xff_8f_4d),
     refracted: Colour::hex(0x35_cf_a2),
     shadow: Colour::hex(0xe2_c5_4a),
+    scattered: Colour::hex(0xd9_8f_e6),
     normal: Colour::hex(0xea_9c_c8),
     extent: Colour::hex(0x8d_95_a1),
     left: Colour::hex(0x56_b4_e9),
@@ -188,7 +192,9 @@ mod tests {
     fn texts_and_rays_stand_out_from_the_ground() {
         for theme in [Theme::Light, Theme::Dark] {
             let p = theme.palette();
-            for text in [p.ink, p.faint, p.camera, p.reflected, p.refracted, p.shadow, p.normal, p.bad, p.good] {
+            for text in
+                [p.ink, p.faint, p.camera, p.reflected, p.refracted, p.shadow, p.scattered, p.normal, p.bad, p.good]
+            {
                 assert!(contrast(text, p.ground) >= 4.5, "{theme:?} {text:?}: {}", contrast(text, p.ground));
             }
             for line in [p.left, p.combined, p.outside, p.inside, p.extent] {

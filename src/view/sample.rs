@@ -1,5 +1,6 @@
 //! Things made up for tests: a tree with every kind of event once, and a drawing, with numbers that a person can check.
 
+use super::sample_effects::{average, confusion, lens, light_on_its_way, light_sample, second_sample};
 use super::sample_texture::{carried, environment};
 use crate::record::{
     Candidate, CandidateFate, Certificate, Edge, Entry, Operator, PlaneRow, PlaneSense, RayKind, Recorder, Sense, Sign,
@@ -62,7 +63,8 @@ pub fn every_kind() -> RayTree {
             &[("x", 0.0.into())],
             [0.0, 0.0, -1.0],
         );
-        s.entry(built, |_| {});
+        s.note(second_sample());
+        s.entry(built, |s| s.note(lens()));
         s.with(step(2, "Find all intersections with objects"), search);
         s.with(step(3, "Identify the closest intersection in front of the eye"), |s| {
             s.note(What::Rejected {
@@ -73,8 +75,12 @@ pub fn every_kind() -> RayTree {
                 reason: "not a boundary of the difference: it lies inside inner".into(),
             });
         });
-        s.with(step(4, "Compute the hit point"), |s| s.with(hit(), carried));
+        s.with(step(4, "Compute the hit point"), |s| {
+            s.with(hit(), carried);
+            s.note(confusion());
+        });
         s.with(step(5, "Find the colour of the light returning along the ray"), colour);
+        s.note(average());
         s.with(step(6, "Place the colour in the rc-th pixel"), |s| {
             s.note(What::Written { linear: [0.25, 0.5, 0.75], srgb: [137, 188, 225] });
         });
@@ -221,6 +227,7 @@ fn colour(s: &mut Sketch) {
         });
     });
     s.note(light("sun", [0.0; 3]));
+    s.note(light_sample());
     s.note(What::Medium {
         object: "bowl".into(),
         before: "air".into(),
@@ -229,7 +236,8 @@ fn colour(s: &mut Sketch) {
         interpenetration: false,
         hidden: false,
     });
-    s.note(What::Reflection { direction: [0.0, 0.0, 1.0], share: 0.04 });
+    light_on_its_way(s);
+    s.note(What::Reflection { direction: [0.0, 0.0, 1.0], share: 0.04, shares: None });
     s.note(What::Snell {
         n1: 1.0,
         n2: 1.5,
@@ -242,6 +250,9 @@ fn colour(s: &mut Sketch) {
     });
     s.with(ray(RayKind::Reflected, [0.0, 0.0, 1.0], 1), |s| {
         s.note(What::Environment(environment()));
+        s.note(What::Nothing { background: [0.1, 0.2, 0.3] });
+    });
+    s.with(ray(RayKind::Scattered, [0.0, 0.6, 0.8], 1), |s| {
         s.note(What::Nothing { background: [0.1, 0.2, 0.3] });
     });
     s.with(ray(RayKind::Refracted, [0.0, -0.1, -1.0], 1), |s| {
@@ -271,6 +282,7 @@ fn ray(kind: RayKind, direction: [f64; 3], depth: u32) -> What {
         depth,
         medium: "air".into(),
         weight: 0.5,
+        wavelength: None,
         left: Some("surface of inner".into()),
     }
 }

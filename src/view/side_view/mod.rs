@@ -208,6 +208,7 @@ impl SideView<'_> {
             RayKind::Reflected => self.palette.reflected,
             RayKind::Refracted => self.palette.refracted,
             RayKind::Shadow => self.palette.shadow,
+            RayKind::Scattered => self.palette.scattered,
         }
     }
 }

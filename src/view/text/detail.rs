@@ -1,5 +1,6 @@
 //! Everything that an event holds, arranged for reading: used by the workbench's detail panel and by the text tree.
 
+use super::effect_detail::effect_lines;
 use super::explain::explain;
 use super::format::{accuracy, count, degrees, number_list, percent, significant, span_list, vector};
 use super::row::{capitalised, row, surface, titled};
@@ -59,6 +60,7 @@ pub fn detail(event: &Event) -> Detail {
         .or_else(|| search_lines(&event.what))
         .or_else(|| hit_lines(&event.what))
         .or_else(|| texture_lines(&event.what))
+        .or_else(|| effect_lines(&event.what))
         .unwrap_or_else(|| light_lines(&event.what));
     lines.extend(event.working.iter().map(|line| DetailLine::Working {
         symbol: line.symbol.to_string(),
@@ -91,7 +93,7 @@ fn ray_lines(what: &What) -> Option<Vec<DetailLine>> {
             vec![pair("origin", vector(*origin)), pair("direction", vector(*direction))]
         }
         What::Step { .. } => Vec::new(),
-        What::Ray { ray, origin, direction, depth, medium, weight, left } => {
+        What::Ray { ray, origin, direction, depth, medium, weight, wavelength, left } => {
             let mut lines = vec![
                 pair("kind", ray.name()),
                 pair("origin", vector(*origin)),
@@ -100,6 +102,7 @@ fn ray_lines(what: &What) -> Option<Vec<DetailLine>> {
                 pair("medium", medium.clone()),
                 pair("weight", format!("{} of the pixel", percent(*weight))),
             ];
+            lines.extend(wavelength.map(|nanometres| pair("wavelength", format!("{} nm", format_number(nanometres)))));
             lines.extend(left.as_ref().map(|left| pair("leaves", left.clone())));
             lines
         }
@@ -258,8 +261,9 @@ fn light_lines(what: &What) -> Vec<DetailLine> {
             pair("passes", percent(*passes)),
             pair("rule", reason.clone()),
         ],
-        What::Reflection { direction, share } => {
-            vec![pair("r", vector(*direction)), pair("share", format_number(*share))]
+        What::Reflection { direction, share, shares } => {
+            let share = shares.map_or_else(|| format_number(*share), vector);
+            vec![pair("r", vector(*direction)), pair("share", share)]
         }
         What::Snell { .. } => snell_lines(what),
         What::Medium { object, before, after, decided, interpenetration, hidden } => {

@@ -1,5 +1,6 @@
 //! What an event means, in a sentence or two for somebody who meets it for the first time.
 
+use super::effect_detail::explain_effect;
 use super::texture_detail::explain_texture;
 use crate::record::{Certificate, Operator, RayKind, Sense, What};
 
@@ -8,6 +9,7 @@ pub(super) fn explain(what: &What) -> &'static str {
     explain_search(what)
         .or_else(|| explain_hit(what))
         .or_else(|| explain_texture(what))
+        .or_else(|| explain_effect(what))
         .unwrap_or_else(|| explain_light(what))
 }
 
@@ -103,6 +105,9 @@ const fn sent_because(ray: RayKind) -> &'static str {
         RayKind::Reflected => "A ray is sent from the hit in the mirrored direction; its colour is added, weighted.",
         RayKind::Refracted => "A ray is sent on through the surface; its colour is added, weighted.",
         RayKind::Shadow => "A ray is sent towards the light to see whether anything stands in the way.",
+        RayKind::Scattered => {
+            "Light that arrives here comes from another direction: the path is followed back that way."
+        }
     }
 }
 

@@ -1,6 +1,8 @@
 //! Events in words: the one-line row, the structured detail, and the tree as text.
 
 mod detail;
+mod effect_detail;
+mod effect_row;
 mod explain;
 mod format;
 mod row;

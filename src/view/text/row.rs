@@ -1,7 +1,7 @@
 //! The one-line description of an event.
 
 use super::format::{brief, brief_vector, count, degrees, number_list, percent, times};
-use super::texture_row;
+use super::{effect_row, texture_row};
 use crate::record::{Candidate, CandidateFate, Certificate, Event, PlaneSense, RayKind, Tier, What};
 
 /// One line: an icon, what happened, and the numbers that matter most.
@@ -31,7 +31,19 @@ fn icon(what: &What) -> &'static str {
             RayKind::Reflected => "↗",
             RayKind::Refracted => "↘",
             RayKind::Shadow => "⇢",
+            RayKind::Scattered => "↝",
         },
+        What::Sample(_) => "⊙",
+        What::Average(_) => "⌀",
+        What::Lens(_) => "◊",
+        What::Confusion(_) => "◯",
+        What::LightSample(_) => "✦",
+        What::Wavelength(_) => "λ",
+        What::Conductor(_) => "η",
+        What::Segment(_) => "▒",
+        What::Scatter(_) => "✳",
+        What::Phase(_) => "φ",
+        What::Overlap(_) => "⧉",
         What::Object { .. } => "◆",
         What::Extent { .. } => "□",
         What::Ball { .. } => "○",
@@ -126,6 +138,17 @@ fn label(what: &What) -> String {
         What::Bump(bump) => texture_row::bump_label(bump),
         What::FrameMap(frame) => texture_row::frame_label(frame),
         What::Environment(environment) => texture_row::environment_label(environment),
+        What::Sample(sample) => format!("sample {}", sample.number + 1),
+        What::Average(average) => effect_row::average_label(average),
+        What::Lens(lens) => effect_row::lens_label(lens),
+        What::Confusion(_) => "circle of confusion".to_owned(),
+        What::LightSample(sample) => effect_row::light_sample_label(sample),
+        What::Wavelength(wavelength) => effect_row::wavelength_label(wavelength),
+        What::Conductor(_) => "Fresnel's equations for a metal".to_owned(),
+        What::Segment(segment) => format!("through {}", segment.medium),
+        What::Scatter(scatter) => effect_row::scatter_label(scatter),
+        What::Phase(phase) => effect_row::phase_label(phase),
+        What::Overlap(overlap) => format!("{} and {} fill the same space", overlap.first, overlap.second),
         What::Ambient { .. } => "ambient term".to_owned(),
         What::Light { name, arriving, .. } if *arriving == [0.0; 3] => format!("light {name}: none arrives"),
         What::Light { name, .. } => format!("light {name}: diffuse and specular terms"),
@@ -152,8 +175,10 @@ fn numbers(event: &Event) -> String {
         What::Ray { origin, direction, weight, .. } if *weight == 1.0 => {
             format!("{} + {} t", brief_vector(*origin), brief_vector(*direction))
         }
-        What::Ray { origin, direction, weight, .. } => {
-            format!("{} + {} t, weight {}", brief_vector(*origin), brief_vector(*direction), brief(*weight))
+        What::Ray { origin, direction, weight, wavelength, .. } => {
+            let line = format!("{} + {} t", brief_vector(*origin), brief_vector(*direction));
+            let one = wavelength.map(|nanometres| format!(", {} nm", brief(nanometres))).unwrap_or_default();
+            format!("{line}, weight {}{one}", brief(*weight))
         }
         What::Ball { radius, distance, is_met, .. } => {
             format!("{} {} {}", brief(*distance), if *is_met { "≤" } else { ">" }, brief(*radius))
@@ -190,10 +215,26 @@ fn numbers(event: &Event) -> String {
         What::Bump(bump) => texture_row::bump_numbers(bump),
         What::FrameMap(frame) => texture_row::frame_numbers(frame),
         What::Environment(environment) => brief_vector(environment.colour),
+        What::Sample(sample) => format!("at {}", texture_row::place(sample.at)),
+        What::Average(average) => brief_vector(average.colour),
+        What::Lens(lens) => format!("from {} through {}", brief_vector(lens.point), brief_vector(lens.focus)),
+        What::Confusion(confusion) => effect_row::confusion_numbers(confusion),
+        What::LightSample(sample) => format!("at {}, {} away", brief_vector(sample.point), brief(sample.distance)),
+        What::Wavelength(wavelength) => effect_row::wavelength_numbers(wavelength),
+        What::Conductor(metal) => format!("at {}: {}", degrees(metal.theta), brief_vector(metal.reflectance)),
+        What::Segment(segment) => effect_row::segment_numbers(segment),
+        What::Scatter(scatter) => format!("after {}, at {}", brief(scatter.distance), brief_vector(scatter.point)),
+        What::Phase(phase) => format!("cosθ = {}, p = {} per sr", brief(phase.cosine), brief(phase.value)),
+        What::Overlap(overlap) => effect_row::overlap_numbers(overlap),
         What::Ambient { colour } => brief_vector(*colour),
         What::Light { diffuse, specular, .. } => brief_vector(std::array::from_fn(|i| diffuse[i] + specular[i])),
         What::Shadow { t, passes, .. } => format!("t = {}, passes {}", brief(*t), percent(*passes)),
-        What::Reflection { direction, share } => format!("r = {}, share {}", brief_vector(*direction), brief(*share)),
+        What::Reflection { direction, shares: Some(shares), .. } => {
+            format!("r = {}, shares {}", brief_vector(*direction), brief_vector(*shares))
+        }
+        What::Reflection { direction, share, .. } => {
+            format!("r = {}, share {}", brief_vector(*direction), brief(*share))
+        }
         What::Snell { theta1, theta2, critical, .. } => snell_numbers(*theta1, *theta2, *critical),
         What::Medium { interpenetration: true, .. } => "objects overlap here".to_owned(),
         What::Limit { at, value, .. } => format!("{} met {}", number_list(&[*value]), number_list(&[*at])),

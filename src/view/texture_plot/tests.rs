@@ -186,6 +186,7 @@ fn what_another_ray_looked_up_is_not_this_hits() {
     let mut sketch = Sketch::new();
     sketch.with(What::Step { number: 5, title: String::new() }, |s| {
         let ray = What::Ray {
+            wavelength: None,
             ray: crate::record::RayKind::Reflected,
             origin: [0.0; 3],
             direction: [0.0, 0.0, 1.0],

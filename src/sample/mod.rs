@@ -1,0 +1,9 @@
+//! Samples: points that fill a square evenly, and where they fall on pixels, lenses and lights.
+
+mod aperture;
+mod pixel_filter;
+mod stream;
+
+pub use aperture::Aperture;
+pub use pixel_filter::PixelFilter;
+pub use stream::{Purpose, Stream};
