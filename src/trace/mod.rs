@@ -3,6 +3,7 @@
 mod beam;
 mod closest;
 mod departure;
+mod division;
 mod export;
 mod finish;
 mod highlight;

@@ -1,5 +1,5 @@
 //! What a surface carries as a drawing: the pixel on the texels, a lattice cell, octaves, a spline, rings, a bump, a frame,
-//! the environment, a detail.
+//! the environment, a detail; and white light taken apart.
 //!
 //! One file for each kind of event, all of one signature: a [`Sheet`] and what the event holds.
 
@@ -8,6 +8,9 @@ mod chart;
 mod clip;
 mod detail;
 mod environment;
+mod fan;
+#[cfg(test)]
+mod fan_tests;
 mod frame_map;
 mod lattice;
 mod octaves;
@@ -54,6 +57,7 @@ pub fn texture_plot(
             environment::draw(&mut sheet, environment, image);
         }
         What::Detail(detail) => detail::draw(&mut sheet, detail),
+        What::Wavelength(_) => fan::draw(&mut sheet, &fan::sent_together(tree, event)),
         _ => return None,
     }
     Some(sheet.drawing)

@@ -56,6 +56,7 @@ const fn rank(what: &What) -> Option<u8> {
         What::FrameMap(_) => 7,
         What::Detail(_) => 8,
         What::Environment(_) => 9,
+        What::Wavelength(_) => 10,
         _ => return None,
     })
 }
