@@ -8,7 +8,7 @@ use super::media::MediaCrossing;
 use super::ray::{Components, MOST_RAYS, Ray, Tracer};
 use crate::optics::{MediaStack, reflect};
 use crate::record::{Counter, Effect, Entry, RayKind, Recorder, Value, What};
-use crate::scene::{Material, Rgb, Split};
+use crate::scene::{ALL_EFFECTS, Material, Rgb, Split};
 use glam::DVec3;
 
 /// The place where a ray meets a surface, with all that decides what it spawns there.
@@ -51,6 +51,9 @@ impl Tracer<'_> {
         components: &mut Components,
         recorder: &mut R,
     ) {
+        if !ALL_EFFECTS {
+            return;
+        }
         let Meeting { surface, material, corners } = meeting;
         let Division { mirrored: share, name, through } = self.divide(ray, meeting, crossing, recorder);
         let is_mirrored = share != Rgb::ZERO;

@@ -10,8 +10,12 @@ use crate::view::text::{brief, degrees};
 use crate::view::{Colour, Form, Frame, Spot, Stroke};
 use glam::DVec3;
 
-/// Lines for which the angles are told: red and blue light of hydrogen (C and F), yellow light of helium (d), in nm.
-const TOLD: [(&str, f64); 3] = [("red", 656.3), ("yellow", 587.6), ("blue", 486.1)];
+/// Colours for which the angles are told, with wavelengths in nm that look so.
+const TOLD: [(&str, f64); 3] = [("red", 650.0), ("yellow", 578.0), ("blue", 460.0)];
+
+/// Most fans are only a degree or two wide. Their angles are drawn so much larger that they open up to this many degrees at
+/// most: with more, a fan would look like another glass; with less, its rays would cover each other.
+const WIDEST: f64 = 30.0;
 
 /// All wavelengths that were sent from where `id` was.
 pub(super) fn sent_together(tree: &RayTree, id: EventId) -> Vec<(EventId, &Wavelength)> {
@@ -35,8 +39,13 @@ pub(super) fn draw(sheet: &mut Sheet, all: &[(EventId, &Wavelength)]) {
         String::new()
     };
     let way = own.theta2.map_or("is reflected as a whole".to_owned(), |angle| format!("goes on at {}", degrees(angle)));
+    let fan = Fan::of(all);
+    let stretched = match fan.times {
+        1.0 => String::new(),
+        times => format!(" The angles between the rays are drawn {} times as large.", brief(times)),
+    };
     let note = format!(
-        "Light of {} nm, n {} → {}, comes at {} and {way}.{kept}",
+        "Light of {} nm, n {} → {}, comes at {} and {way}.{kept}{stretched}",
         brief(own.nanometres),
         brief(own.n1),
         brief(own.n2),
@@ -45,10 +54,39 @@ pub(super) fn draw(sheet: &mut Sheet, all: &[(EventId, &Wavelength)]) {
     let room = sheet.caption("White light taken apart", &note);
     let facts = facts(sheet, all, own);
     let (room, below) = sheet.facts(room, &facts);
-    rays(sheet, all, own, &room);
+    rays(sheet, all, own, &fan, &room);
     if let Some(below) = below {
         curve(sheet, all, own, below);
     }
+}
+
+/// How the angles of refraction are drawn.
+struct Fan {
+    /// The angle in the middle, in degrees, which is drawn as it is.
+    middle: f64,
+    /// How many times as large the differences from it are drawn.
+    times: f64,
+}
+
+impl Fan {
+    fn of(all: &[(EventId, &Wavelength)]) -> Self {
+        let angles = all.iter().filter_map(|(_, one)| angle_of(one));
+        let (low, high) = angles.fold((90.0_f64, 0.0_f64), |(low, high), angle| (low.min(angle), high.max(angle)));
+        let middle = f64::midpoint(low, high);
+        let room = WIDEST.min(2.0 * middle.min(90.0 - middle));
+        let fits = |times: &f64| (high - low) * times <= room;
+        let times = [50.0, 20.0, 10.0, 5.0, 2.0].into_iter().find(fits).filter(|_| high > low);
+        Self { middle, times: times.unwrap_or(1.0) }
+    }
+
+    fn drawn(&self, one: &Wavelength) -> Option<f64> {
+        angle_of(one).map(|angle| self.middle + self.times * (angle - self.middle))
+    }
+}
+
+/// The angle of refraction in degrees, if there is one.
+fn angle_of(one: &Wavelength) -> Option<f64> {
+    one.theta2.filter(|angle| (0.0..=90.0).contains(angle))
 }
 
 /// The angles of the wavelengths that are nearest to the lines that are told, each once.
@@ -76,7 +114,7 @@ fn colour_of(one: &Wavelength) -> Colour {
 }
 
 /// The interface as a level line, with the ray from the upper left and all that goes on below.
-fn rays(sheet: &mut Sheet, all: &[(EventId, &Wavelength)], own: &Wavelength, room: &Frame) {
+fn rays(sheet: &mut Sheet, all: &[(EventId, &Wavelength)], own: &Wavelength, fan: &Fan, room: &Frame) {
     let [width, height] = room.size();
     let reach = 0.5 * width.min(height) - 6.0;
     if !is_roomy(room) || reach < 20.0 || !(0.0..=90.0).contains(&own.theta1) {
@@ -97,7 +135,7 @@ fn rays(sheet: &mut Sheet, all: &[(EventId, &Wavelength)], own: &Wavelength, roo
     // What is selected comes last, on top of its neighbours.
     let (selected, others): (Vec<_>, Vec<_>) = all.iter().partition(|(id, _)| *id == own_event);
     for (id, one) in others.into_iter().chain(selected) {
-        let Some(theta2) = one.theta2.filter(|angle| (0.0..=90.0).contains(angle)) else { continue };
+        let Some(theta2) = fan.drawn(one) else { continue };
         sheet.event = id;
         let (end, is_own) = (along(reach, theta2, 1.0), id == own_event);
         if is_own {
@@ -109,7 +147,7 @@ fn rays(sheet: &mut Sheet, all: &[(EventId, &Wavelength)], own: &Wavelength, roo
     let start = along(reach, own.theta1, -1.0);
     sheet.line(room, &[start, foot], Stroke::solid(ink, 2.2));
     arc(sheet, foot, 0.34 * reach, [-90.0, -90.0 - own.theta1], "θ₁");
-    if let Some(theta2) = own.theta2.filter(|angle| (0.0..=90.0).contains(angle)) {
+    if let Some(theta2) = fan.drawn(own) {
         arc(sheet, foot, 0.42 * reach, [90.0, 90.0 - theta2], "θ₂");
     }
     for (name, index, [x, y]) in [("n₁", own.n1, [0.62, -0.55]), ("n₂", own.n2, [-0.62, 0.55])] {

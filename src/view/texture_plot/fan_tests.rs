@@ -70,14 +70,24 @@ fn the_fan_is_the_one_that_was_looked_at() {
 }
 
 #[test]
-fn each_ray_goes_on_at_its_own_angle_and_stands_for_its_event() {
-    let all = wavelengths(8, &Dispersion::DIAMOND);
-    let rays = rays(&drawn(all.clone(), 2, SIZE, Theme::Dark));
-    assert_eq!(rays.len(), all.len());
-    for (event, [x1, y1], [x2, y2]) in rays {
-        let angle = (x2 - x1).atan2(y2 - y1).to_degrees();
-        let expected = all[event as usize - 1].theta2.unwrap();
-        assert!((angle - expected).abs() < 1e-9, "{angle} is not {expected}");
+fn each_ray_goes_on_at_its_own_angle_as_much_larger_as_the_drawing_says() {
+    for (glass, times) in
+        [(Dispersion::DIAMOND, 20.0), (Dispersion::BK7, 20.0), (Dispersion::Cauchy([1.2, 0.1, 0.0]), 1.0)]
+    {
+        let all = wavelengths(8, &glass);
+        let drawing = drawn(all.clone(), 2, SIZE, Theme::Dark);
+        let rays = rays(&drawing);
+        assert_eq!(rays.len(), all.len());
+        let own = |event: EventId| all[event as usize - 1].theta2.unwrap();
+        let middle = f64::midpoint(own(1), own(8));
+        for (event, [x1, y1], [x2, y2]) in rays {
+            let angle = (x2 - x1).atan2(y2 - y1).to_degrees();
+            let expected = middle + times * (own(event) - middle);
+            assert!((angle - expected).abs() < 1e-9, "{angle} is not {expected}");
+        }
+        let said: Vec<&str> = drawing.texts().map(|text| text.text.as_str()).collect();
+        let says_so = said.join(" ").contains(&format!("drawn {times} times as large"));
+        assert_eq!(says_so, times > 1.0, "{said:?}");
     }
 }
 
@@ -108,7 +118,10 @@ fn a_fan_of_nonsense_does_no_harm() {
         let mut all = wavelengths(4, &Dispersion::BK7);
         (all[0].n2, all[1].nanometres, all[2].theta2, all[3].theta1) = (by, by, Some(by), by);
         for selected in 1..=4 {
-            assert_readable(&drawn(all.clone(), selected, [420.0, 300.0], Theme::Light), &format!("{by} at {selected}"));
+            assert_readable(
+                &drawn(all.clone(), selected, [420.0, 300.0], Theme::Light),
+                &format!("{by} at {selected}"),
+            );
         }
     }
 }
