@@ -7,7 +7,7 @@ use super::highlight::Highlight;
 use super::ray::{Components, Ray, Tracer};
 use crate::optics::MediaStack;
 use crate::record::{Counter, Effect, Entry, RayKind, Recorder, What};
-use crate::scene::{Light, LightKind, Object, Rgb};
+use crate::scene::{Light, LightKind, Rgb};
 use glam::DVec3;
 use smallvec::SmallVec;
 
@@ -181,7 +181,7 @@ impl Tracer<'_> {
             let list = self.intersect(index, shadow, &course, recorder);
             let ahead = shadow.ahead(index, object, &list);
             ahead.report(object, recorder);
-            share *= self.passed(shadow, object, &ahead, limit, recorder);
+            share *= self.passed(shadow, index, &ahead, limit, recorder);
             if share == 0.0 {
                 break;
             }
@@ -193,16 +193,17 @@ impl Tracer<'_> {
     pub(super) fn passed<R: Recorder>(
         &self,
         shadow: &Ray,
-        object: &Object,
+        index: usize,
         ahead: &Ahead,
         limit: f64,
         recorder: &mut R,
     ) -> f64 {
+        let object = &self.scene.objects[index];
         let mut share = 1.0;
         for boundary in ahead.surfaces(limit) {
             let t = boundary.map_or(0.0, |boundary| boundary.t);
             let material = boundary.map_or(object.leaf_materials[0], |boundary| {
-                object.material_at(boundary, shadow.origin + shadow.direction * t).0
+                self.material_at(index, boundary, shadow.origin + shadow.direction * t).0
             });
             let passes = self.scene.materials[material].transparency;
             share *= passes;

@@ -1,6 +1,7 @@
 //! Tracing: the six steps of § 6.1, shading, spawned rays, whole pictures, and the tree of a recorded pixel.
 
 mod beam;
+mod calls;
 mod closest;
 mod departure;
 mod export;
