@@ -5,26 +5,35 @@ use super::departure::{Ahead, Departure};
 use super::finish::Finish;
 use super::highlight::Highlight;
 use super::ray::{Components, Ray, Tracer};
-use crate::optics::MediaStack;
 use crate::record::{Counter, Effect, Entry, RayKind, Recorder, What};
 use crate::scene::{Light, LightKind, Object, Rgb};
 use glam::DVec3;
 use smallvec::SmallVec;
 
+/// Where a shadow ray starts.
+pub(super) struct Start<'a> {
+    /// The ray that came to this point.
+    pub ray: &'a Ray,
+    /// The point.
+    pub origin: DVec3,
+    /// The boundary that the point lies on, if it lies on one.
+    pub departure: Option<Departure>,
+}
+
 /// The way to a light.
-struct Way {
+pub(super) struct Way {
     /// From the point to the light; t = 1 at a point light, without end for a directional one.
-    direction: DVec3,
+    pub direction: DVec3,
     /// Unit.
-    towards: DVec3,
+    pub towards: DVec3,
     /// The hit time beyond which nothing is in the way.
-    limit: f64,
+    pub limit: f64,
     /// The light, by its place in the list.
-    light: usize,
+    pub light: usize,
 }
 
 impl Way {
-    fn new(lights: &[Light], light: usize, point: DVec3) -> Self {
+    pub fn new(lights: &[Light], light: usize, point: DVec3, _place: [f64; 2]) -> Self {
         match lights[light].kind {
             LightKind::Point(position) => {
                 let direction = position - point;
@@ -100,9 +109,12 @@ impl Tracer<'_> {
     ) -> [Rgb; 2] {
         recorder.begin();
         let light = &self.scene.lights[index];
-        let way = Way::new(&self.scene.lights, index, surface.point);
+        let way = Way::new(&self.scene.lights, index, surface.point, [0.5; 2]);
         let n_dot_l = surface.n_shading.dot(way.towards);
-        let share = if n_dot_l > 0.0 { self.arriving(ray, surface, &way, recorder) } else { Rgb::ZERO };
+        let share = if n_dot_l > 0.0 { {
+            let departure = Some(Departure::new(surface, ray.direction, way.direction));
+            self.arriving(&Start { ray, origin: surface.point, departure }, &way, recorder)
+        } } else { Rgb::ZERO };
         let arriving = light.colour * share;
         let material = finish.material;
         let diffuse = arriving * finish.diffuse * n_dot_l.max(0.0);
@@ -141,17 +153,17 @@ impl Tracer<'_> {
 
     /// The share of a light that arrives, by colour: a shadow ray, stopped by the first opaque object. Each surface
     /// of a transparent object passes its transparency, as it does for a ray from the eye; shadow rays are not bent.
-    fn arriving<R: Recorder>(&self, ray: &Ray, surface: &Surface, way: &Way, recorder: &mut R) -> Rgb {
+    pub(super) fn arriving<R: Recorder>(&self, start: &Start, way: &Way, recorder: &mut R) -> Rgb {
+        let Start { ray, origin, departure } = *start;
         let shadow = Ray {
             kind: RayKind::Shadow,
-            origin: surface.point,
+            origin,
             direction: way.direction,
             depth: ray.depth + 1,
             weight: ray.weight,
             budget: 0,
-            departure: Some(Departure::new(surface, ray.direction, way.direction)),
-            // Only for the account: shadow rays are not bent.
-            media: if R::RECORDING { ray.media.clone() } else { MediaStack::default() },
+            departure,
+            media: ray.media.clone(),
             place: None,
             beam: None,
             wavelength: ray.wavelength,
@@ -179,7 +191,7 @@ impl Tracer<'_> {
         for index in self.reached(&course, recorder) {
             let object = &self.scene.objects[index];
             let list = self.intersect(index, shadow, &course, recorder);
-            let ahead = shadow.ahead(index, object, &list);
+            let ahead = shadow.ahead(index, self.scene, &list);
             ahead.report(object, recorder);
             share *= self.passed(shadow, object, &ahead, limit, recorder);
             if share == 0.0 {

@@ -14,6 +14,7 @@ mod picture;
 mod pixel;
 mod ray;
 mod scanning;
+mod scatter;
 mod segment;
 mod spawn;
 mod tally;
