@@ -1,5 +1,6 @@
 //! Tracing: the six steps of § 6.1, shading, spawned rays, whole pictures, and the tree of a recorded pixel.
 
+mod area_light;
 mod beam;
 mod closest;
 mod departure;
@@ -16,6 +17,7 @@ mod ray;
 mod scanning;
 mod scatter;
 mod segment;
+mod shadow;
 mod spawn;
 mod tally;
 mod tree;

@@ -7,8 +7,8 @@
 
 use super::closest::Closest;
 use super::departure::Ahead;
-use super::light::Shade;
 use super::ray::{Ray, Tracer};
+use super::shadow::Shade;
 use crate::csg::{Boundary, Course};
 use crate::record::{Recorder, Sense};
 use crate::scene::Candidate;

@@ -5,9 +5,9 @@
 //! such point every light is asked, as at a surface. Where the medium turns light more than once, the path goes on from there in a
 //! direction by the phase function; else only lights are seen by it, and neither surfaces nor surroundings.
 
-use super::light::{Start, Way};
 use super::ray::{Ray, Tracer};
 use super::segment::Stretch;
+use super::shadow::{Start, Way};
 use crate::optics::{Flight, HenyeyGreenstein, Walk, one_less_exp};
 use crate::record::{self, Counter, Effect, Entry, RayKind, Recorder, What};
 use crate::sample::Purpose;
@@ -106,7 +106,7 @@ impl Tracer<'_> {
     fn from_light<R: Recorder>(&self, turn: &Turn, index: usize, recorder: &mut R) -> Rgb {
         recorder.begin();
         let light = &self.scene.lights[index];
-        let place = turn.ray.stream.branch(RayKind::Scattered as u32).square(Purpose::Light(index as u32, 0));
+        let place = turn.ray.stream.branch(RayKind::Scattered as u32).square(Purpose::Light(u32::try_from(index).unwrap_or(u32::MAX)));
         let way = Way::new(&self.scene.lights, index, turn.point, place);
         let start = Start { ray: turn.ray, origin: turn.point, departure: None };
         let arriving = light.colour * self.arriving(&start, &way, recorder);
