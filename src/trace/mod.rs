@@ -16,6 +16,7 @@ mod picture;
 mod pixel;
 mod ray;
 mod scanning;
+mod scatter;
 mod segment;
 mod shadow;
 mod spawn;

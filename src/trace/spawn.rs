@@ -4,7 +4,7 @@ use super::beam::{Beam, Corners};
 use super::closest::Surface;
 use super::departure::Departure;
 use super::media::MediaCrossing;
-use super::ray::{Components, MOST_RAYS, Ray, Tracer};
+use super::ray::{Components, MOST_RAYS, MOST_TURNS, Ray, Tracer};
 use crate::optics::{MediaStack, Optics, reflect, refract, snell_entry};
 use crate::record::{Counter, Effect, Entry, RayKind, Recorder, What};
 use crate::scene::{Material, Rgb};
@@ -142,10 +142,12 @@ impl Tracer<'_> {
         colour
     }
 
-    fn stopped_by_a_limit(&self, ray: &Ray, used_up: bool, recorder: &mut impl Recorder) -> bool {
+    pub(super) fn stopped_by_a_limit(&self, ray: &Ray, used_up: bool, recorder: &mut impl Recorder) -> bool {
         let limits = self.scene.limits;
         let (limit, at, value) = if ray.depth > limits.depth {
             ("depth", f64::from(limits.depth), f64::from(ray.depth))
+        } else if ray.turns > MOST_TURNS {
+            ("turns", f64::from(MOST_TURNS), f64::from(ray.turns))
         } else if ray.weight < limits.contribution {
             ("contribution", limits.contribution, ray.weight)
         } else if used_up {
