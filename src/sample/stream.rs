@@ -7,8 +7,8 @@ pub enum Purpose {
     Pixel,
     /// The place on the lens.
     Lens,
-    /// The place on a light, by the light's number and that of its point.
-    Light(u32, u32),
+    /// The place on a light, by the light's number.
+    Light(u32),
     /// The first of the wavelengths that a ray is split into.
     Wavelength,
     /// How far a ray comes in a medium.
@@ -25,7 +25,7 @@ impl Purpose {
             Self::Wavelength => 2,
             Self::Distance => 3,
             Self::Phase => 4,
-            Self::Light(light, point) => 5 + light.wrapping_mul(4096).wrapping_add(point),
+            Self::Light(light) => 5_u32.wrapping_add(light),
         }
     }
 }
@@ -48,6 +48,13 @@ impl Stream {
     #[must_use]
     pub const fn branch(self, branch: u32) -> Self {
         Self { number: self.number, key: mixed(self.key ^ mixed(branch.wrapping_add(0x9e37_79b9))) }
+    }
+
+    /// The stream of one of `of` parts of the sample, such as one of several points of a light: all parts of all samples
+    /// together are as even as so many samples.
+    #[must_use]
+    pub const fn part(self, part: u32, of: u32) -> Self {
+        Self { number: self.number.wrapping_mul(of).wrapping_add(part), key: self.key }
     }
 
     /// A point of the unit square, [0, 1) each.

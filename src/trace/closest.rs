@@ -3,7 +3,7 @@
 use super::departure::Ahead;
 use super::ray::{Ray, Tracer};
 use crate::csg::{Boundary, Course, Extent, IntervalList, Leaf};
-use crate::record::{Counter, Effect, Entry, Recorder, Sense, Value, What};
+use crate::record::{Effect, Entry, Recorder, Sense, Value, What};
 use crate::scene::{Detail, Material, Projection};
 use crate::shape::Primitive;
 use glam::{DVec2, DVec3};
@@ -93,7 +93,7 @@ impl Tracer<'_> {
         let mut found = Vec::new();
         for index in self.reached(&course, recorder) {
             let list = self.intersect(index, ray, &course, recorder);
-            let ahead = ray.ahead(index, &self.scene.objects[index], &list);
+            let ahead = ray.ahead(index, self.scene, &list);
             ahead.report(&self.scene.objects[index], recorder);
             if !list.is_empty() || !ahead.list.is_empty() {
                 found.push(Found { object: index, list, ahead });
@@ -165,7 +165,12 @@ impl Tracer<'_> {
     }
 
     /// Step 3: the boundary that lies closest to and in front of the ray's start; the object list decides ties.
-    pub(super) fn find_closest_in_front<R: Recorder>(&self, found: &[Found], recorder: &mut R) -> Option<Closest> {
+    pub(super) fn find_closest_in_front<R: Recorder>(
+        &self,
+        ray: &Ray,
+        found: &[Found],
+        recorder: &mut R,
+    ) -> Option<Closest> {
         let mut closest: Option<Closest> = None;
         for candidate in found {
             if let Some((boundary, sense)) = candidate.ahead.list.first()
@@ -174,6 +179,7 @@ impl Tracer<'_> {
                 closest = Some(Closest { object: candidate.object, boundary, sense });
             }
         }
+        let closest = closest.map(|closest| self.first_of_interface(ray, closest));
         if R::RECORDING {
             self.report_rejected(found, closest, recorder);
         }
@@ -209,11 +215,11 @@ impl Tracer<'_> {
         let point = ray.origin + ray.direction * boundary.t;
         let n_geometric = self.scene.objects[object].solid.normal(&boundary, point);
         let n_shading = if n_geometric.dot(ray.direction) > 0.0 { -n_geometric } else { n_geometric };
-        let (material, detail) = self.scene.objects[object].material_at(&boundary, point);
+        let (material, detail) = self.material_at(object, &boundary, point);
         let surface = Surface { object, boundary, sense, material, point, n_geometric, n_shading };
         recorder.note(|| self.describe_hit(ray, &surface));
         if let Some((detail, place)) = detail {
-            recorder.count(Counter::Call(Effect::Details));
+            Self::enter(Effect::Details, recorder);
             recorder.note(|| self.describe_detail(&surface, detail, place));
         }
         surface
@@ -276,6 +282,8 @@ fn why_rejected(boundary: &Boundary, candidate: &Found, closest: Option<Closest>
         "this is the surface that the ray started on"
     } else if !candidate.ahead.list.crossed().contains(boundary) {
         "behind the start of the ray: t is not positive"
+    } else if closest.is_some_and(|c| c.object != candidate.object && boundary.t < c.boundary.t) {
+        "in the same place as the closest hit, within rounding: both are crossed as one"
     } else if closest.is_some_and(|c| c.object == candidate.object) {
         "later on the ray than the hit with the same object"
     } else {

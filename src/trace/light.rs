@@ -1,65 +1,32 @@
-//! The ambient, diffuse and specular terms, and the shadow rays that they ask for.
+//! The ambient, diffuse and specular terms.
 
 use super::closest::Surface;
-use super::departure::{Ahead, Departure};
+use super::departure::Departure;
 use super::finish::Finish;
 use super::highlight::Highlight;
 use super::ray::{Components, Ray, Tracer};
-use crate::optics::MediaStack;
-use crate::record::{Counter, Effect, Entry, RayKind, Recorder, What};
-use crate::scene::{Light, LightKind, Object, Rgb};
-use glam::DVec3;
-use smallvec::SmallVec;
+use super::shadow::{Start, Way};
+use crate::record::{Binding, Effect, Entry, Recorder, What};
+use crate::scene::{LightKind, Rgb};
 
-/// The way to a light.
-struct Way {
-    /// From the point to the light; t = 1 at a point light, without end for a directional one.
-    direction: DVec3,
-    /// Unit.
-    towards: DVec3,
-    /// The hit time beyond which nothing is in the way.
-    limit: f64,
-    /// The light, by its place in the list.
-    light: usize,
+/// A place on a surface that is to be shaded.
+pub(super) struct Shaded<'a> {
+    pub ray: &'a Ray,
+    pub surface: &'a Surface,
+    pub finish: &'a Finish<'a>,
 }
 
-impl Way {
-    fn new(lights: &[Light], light: usize, point: DVec3) -> Self {
-        match lights[light].kind {
-            LightKind::Point(position) => {
-                let direction = position - point;
-                Self { direction, towards: direction.normalize_or_zero(), limit: 1.0, light }
-            }
-            LightKind::Area(_) => Self { direction: DVec3::Z, towards: DVec3::Z, limit: 1.0, light },
-            LightKind::Directional(towards) => Self { direction: towards, towards, limit: f64::INFINITY, light },
-        }
-    }
-}
-
-/// What transparent objects leave of a light, gathered in any order.
-#[derive(Default)]
-pub(super) struct Shade {
-    /// An opaque object is in the way.
-    pub is_dark: bool,
-    shares: SmallVec<[(usize, f64); 4]>,
-}
-
-impl Shade {
-    /// An object lets this share pass.
-    pub fn add(&mut self, object: usize, share: f64) {
-        if share != 1.0 {
-            self.shares.push((object, share));
-        }
-    }
-
-    /// The product, in the order of the object list: rounding must not depend on the order of the tests.
-    pub fn share(mut self) -> f64 {
-        if self.is_dark {
-            return 0.0;
-        }
-        self.shares.sort_by_key(|&(object, _)| object);
-        self.shares.iter().map(|(_, share)| share).product()
-    }
+/// What one light, or one point of it, adds.
+pub(super) struct Terms {
+    /// The cosine between the normal and the direction to the light.
+    n_dot_l: f64,
+    /// The share of the light that arrives.
+    pub share: Rgb,
+    /// The light that arrives.
+    arriving: Rgb,
+    pub diffuse: Rgb,
+    pub specular: Rgb,
+    highlight: Option<Highlight>,
 }
 
 impl Tracer<'_> {
@@ -82,28 +49,53 @@ impl Tracer<'_> {
                 components.ambient.to_array(),
             )
         });
-        for index in 0..self.scene.lights.len() {
-            let [diffuse, specular] = self.light(ray, surface, finish, index, recorder);
+        let place = Shaded { ray, surface, finish };
+        for (index, light) in self.scene.lights.iter().enumerate() {
+            let [diffuse, specular] = match light.kind {
+                LightKind::Area(area) if self.calls_for(Effect::SoftShadows) => {
+                    self.area_light(&place, index, area, recorder)
+                }
+                _ => self.light(&place, index, recorder),
+            };
             components.diffuse += diffuse;
             components.specular += specular;
         }
     }
 
-    /// Diffuse and specular term of one light: I k_d max(0, n·l) and I k_s max(0, r·v)^f, r being l mirrored at n.
-    fn light<R: Recorder>(
-        &self,
-        ray: &Ray,
-        surface: &Surface,
-        finish: &Finish,
-        index: usize,
-        recorder: &mut R,
-    ) -> [Rgb; 2] {
+    /// Diffuse and specular term of one light that is a point or a direction.
+    fn light<R: Recorder>(&self, place: &Shaded, index: usize, recorder: &mut R) -> [Rgb; 2] {
         recorder.begin();
         let light = &self.scene.lights[index];
-        let way = Way::new(&self.scene.lights, index, surface.point);
+        // A light whose size is not called for is as good as its middle.
+        let way = Way::new(&self.scene.lights, index, place.surface.point, MIDDLE);
+        let way = Way { effect: Effect::Shadows, ..way };
+        let terms = self.terms(place, &way, recorder);
+        recorder.end(|| {
+            let distance = matches!(light.kind, LightKind::Point(_)).then(|| way.direction.length());
+            let entry = Entry::new(What::Light {
+                name: light.name.clone(),
+                towards: way.towards.to_array(),
+                distance,
+                arriving: terms.arriving.to_array(),
+                diffuse: terms.diffuse.to_array(),
+                specular: terms.specular.to_array(),
+            });
+            terms.lines(entry, place, &way)
+        });
+        [terms.diffuse, terms.specular]
+    }
+
+    /// What arrives on one way: I k_d max(0, n·l) and I k_s max(0, r·v)^f, r being l mirrored at n.
+    pub(super) fn terms<R: Recorder>(&self, place: &Shaded, way: &Way, recorder: &mut R) -> Terms {
+        let Shaded { ray, surface, finish } = *place;
         let n_dot_l = surface.n_shading.dot(way.towards);
-        let share = if n_dot_l > 0.0 { self.arriving(ray, surface, &way, recorder) } else { Rgb::ZERO };
-        let arriving = light.colour * share;
+        let share = if n_dot_l > 0.0 {
+            let departure = Some(Departure::new(surface, ray.direction, way.direction));
+            self.arriving(&Start { ray, origin: surface.point, departure }, way, recorder)
+        } else {
+            Rgb::ZERO
+        };
+        let arriving = self.scene.lights[way.light].colour * share;
         let material = finish.material;
         let diffuse = arriving * finish.diffuse * n_dot_l.max(0.0);
         let eye = || -ray.direction.normalize();
@@ -111,110 +103,29 @@ impl Tracer<'_> {
         let is_lit = share != Rgb::ZERO && material.specular != Rgb::ZERO;
         let highlight = (is_lit || R::RECORDING).then(|| Highlight::new(finish, surface.n_shading, way.towards, eye()));
         let specular = highlight.as_ref().map_or(Rgb::ZERO, |h| arriving * material.specular * h.value());
-        recorder.end(|| {
-            let distance = matches!(light.kind, LightKind::Point(_)).then(|| way.direction.length());
-            let bindings = [
-                ("I_l", arriving.to_array().into()),
-                ("k_d", finish.diffuse.to_array().into()),
-                ("k_s", material.specular.to_array().into()),
-                ("n", surface.n_shading.to_array().into()),
-                ("l", way.towards.to_array().into()),
-                ("n_l", n_dot_l.max(0.0).into()),
-            ];
-            let entry = Entry::new(What::Light {
-                name: light.name.clone(),
-                towards: way.towards.to_array(),
-                distance,
-                arriving: arriving.to_array(),
-                diffuse: diffuse.to_array(),
-                specular: specular.to_array(),
-            });
-            let entry = entry.line("n·l", "n · l", &bindings, n_dot_l);
-            let terms = [diffuse, specular];
-            match &highlight {
-                Some(highlight) => highlight.lines(entry, &bindings, terms),
-                None => entry,
-            }
-        });
-        [diffuse, specular]
+        Terms { n_dot_l, share, arriving, diffuse, specular, highlight }
     }
+}
 
-    /// The share of a light that arrives, by colour: a shadow ray, stopped by the first opaque object. Each surface
-    /// of a transparent object passes its transparency, as it does for a ray from the eye; shadow rays are not bent.
-    fn arriving<R: Recorder>(&self, ray: &Ray, surface: &Surface, way: &Way, recorder: &mut R) -> Rgb {
-        let shadow = Ray {
-            kind: RayKind::Shadow,
-            origin: surface.point,
-            direction: way.direction,
-            depth: ray.depth + 1,
-            weight: ray.weight,
-            budget: 0,
-            departure: Some(Departure::new(surface, ray.direction, way.direction)),
-            // Only for the account: shadow rays are not bent.
-            media: if R::RECORDING { ray.media.clone() } else { MediaStack::default() },
-            place: None,
-            beam: None,
-            wavelength: ray.wavelength,
-            turns: ray.turns,
-            stream: ray.stream,
-        };
-        recorder.count(Counter::Call(Effect::Shadows));
-        recorder.count(Counter::Sent(Effect::Shadows));
-        recorder.count(Counter::Ray(RayKind::Shadow));
-        if !R::RECORDING {
-            let share = self.let_through(&shadow, way.light, way.limit, recorder);
-            return self.clearness(&shadow, way.limit, recorder) * share;
-        }
-        recorder.begin();
-        let share = self.told_let_through(&shadow, way.limit, recorder);
-        let share = self.clearness(&shadow, way.limit, recorder) * share;
-        recorder.end(|| self.describe_ray(&shadow));
-        share
-    }
+/// Where a light that has no size is asked.
+const MIDDLE: [f64; 2] = [0.5; 2];
 
-    /// The share of a light at `limit` that arrives along a shadow ray, told object by object.
-    fn told_let_through(&self, shadow: &Ray, limit: f64, recorder: &mut impl Recorder) -> f64 {
-        let course = self.course(shadow);
-        let mut share = 1.0;
-        for index in self.reached(&course, recorder) {
-            let object = &self.scene.objects[index];
-            let list = self.intersect(index, shadow, &course, recorder);
-            let ahead = shadow.ahead(index, object, &list);
-            ahead.report(object, recorder);
-            share *= self.passed(shadow, object, &ahead, limit, recorder);
-            if share == 0.0 {
-                break;
-            }
+impl Terms {
+    /// Adds their working to their description.
+    pub fn lines(&self, entry: Entry, place: &Shaded, way: &Way) -> Entry {
+        let Shaded { surface, finish, .. } = *place;
+        let bindings: [Binding; 6] = [
+            ("I_l", self.arriving.to_array().into()),
+            ("k_d", finish.diffuse.to_array().into()),
+            ("k_s", finish.material.specular.to_array().into()),
+            ("n", surface.n_shading.to_array().into()),
+            ("l", way.towards.to_array().into()),
+            ("n_l", self.n_dot_l.max(0.0).into()),
+        ];
+        let entry = entry.line("n·l", "n · l", &bindings, self.n_dot_l);
+        match &self.highlight {
+            Some(highlight) => highlight.lines(entry, &bindings, [self.diffuse, self.specular]),
+            None => entry,
         }
-        share
-    }
-
-    /// The share of light that an object lets pass before the light at `limit`.
-    pub(super) fn passed<R: Recorder>(
-        &self,
-        shadow: &Ray,
-        object: &Object,
-        ahead: &Ahead,
-        limit: f64,
-        recorder: &mut R,
-    ) -> f64 {
-        let mut share = 1.0;
-        for boundary in ahead.surfaces(limit) {
-            let t = boundary.map_or(0.0, |boundary| boundary.t);
-            let material = boundary.map_or(object.leaf_materials[0], |boundary| {
-                object.material_at(boundary, shadow.origin + shadow.direction * t).0
-            });
-            let passes = self.scene.materials[material].transparency;
-            share *= passes;
-            recorder.note(|| {
-                let reason = if passes > 0.0 {
-                    "transparent: each surface passes its transparency, without bending"
-                } else {
-                    "opaque: no light arrives"
-                };
-                Entry::new(What::Shadow { object: object.name.clone(), t, passes, reason: reason.to_owned() })
-            });
-        }
-        share
     }
 }

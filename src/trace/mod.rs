@@ -1,6 +1,8 @@
 //! Tracing: the six steps of § 6.1, shading, spawned rays, whole pictures, and the tree of a recorded pixel.
 
+mod area_light;
 mod beam;
+mod calls;
 mod closest;
 mod departure;
 mod division;
@@ -15,7 +17,9 @@ mod picture;
 mod pixel;
 mod ray;
 mod scanning;
+mod scatter;
 mod segment;
+mod shadow;
 mod spawn;
 mod tally;
 mod tree;

@@ -7,8 +7,8 @@
 
 use super::closest::Closest;
 use super::departure::Ahead;
-use super::light::Shade;
 use super::ray::{Ray, Tracer};
+use super::shadow::Shade;
 use crate::csg::{Boundary, Course};
 use crate::record::{Recorder, Sense};
 use crate::scene::Candidate;
@@ -26,7 +26,7 @@ impl Tracer<'_> {
             }
             closest.map_or(f64::INFINITY, |best| best.boundary.t)
         });
-        closest
+        closest.map(|closest| self.first_of_interface(ray, closest))
     }
 
     /// The share of a light at `limit` that arrives along a shadow ray: nothing behind the first opaque object.
@@ -38,7 +38,7 @@ impl Tracer<'_> {
                 shade.is_dark |= self.blocks(object, ray, &course, is_met, limit, recorder);
             } else {
                 let ahead = self.ahead_in(object, ray, &course, is_met, recorder);
-                shade.add(object, self.passed(ray, &self.scene.objects[object], &ahead, limit, recorder));
+                shade.add(object, self.passed(ray, object, &ahead, limit, recorder));
             }
             if shade.is_dark { f64::NEG_INFINITY } else { limit }
         };
@@ -119,7 +119,7 @@ impl Tracer<'_> {
         is_met: bool,
         recorder: &mut R,
     ) -> Option<(Boundary, Sense)> {
-        if ray.departure.is_some_and(|departure| departure.object == object) {
+        if ray.starts_at(object, self.scene) {
             self.ahead_in(object, ray, course, is_met, recorder).list.first()
         } else {
             self.scene.objects[object].solid.first_in_front(course, is_met, recorder)
@@ -161,6 +161,6 @@ impl Tracer<'_> {
         }
         let list =
             if is_met { solid.inside_within(course, recorder) } else { solid.inside_along::<f64>(course, recorder) };
-        ray.ahead(object, &self.scene.objects[object], &list)
+        ray.ahead(object, self.scene, &list)
     }
 }

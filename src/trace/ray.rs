@@ -8,7 +8,7 @@ use crate::csg::{Course, IntervalList, Solid};
 use crate::optics::MediaStack;
 use crate::record::{Counter, Effect, Entry, NullRecorder, RayKind, Recorder, What};
 use crate::sample::Stream;
-use crate::scene::{Object, Rgb, Scene, Shortcuts, Sights};
+use crate::scene::{Rgb, Scene, Shortcuts, Sights};
 use glam::DVec3;
 
 /// A ray P(t) = origin + direction t in world space.
@@ -46,6 +46,10 @@ pub struct Ray {
 /// Fewer would cut off what can be seen in glass within mirrors; more would let one pixel take minutes.
 pub(super) const MOST_RAYS: u32 = 1 << 16;
 
+/// How often a path may be turned in media. Fewer would darken thick clouds that absorb nothing, from which half of the light
+/// comes after dozens of turns; more would cost time for what can hardly be seen.
+pub(super) const MOST_TURNS: u32 = 64;
+
 impl Ray {
     /// A ray from the eye, in air.
     #[must_use]
@@ -73,15 +77,24 @@ impl Ray {
         self.departure.is_some_and(|departure| departure.object == index && departure.is_for_good(solid))
     }
 
-    /// Which of an object's boundaries along the ray count.
-    pub(super) fn ahead(&self, index: usize, object: &Object, list: &IntervalList) -> Ahead {
+    /// Which of an object's boundaries along the ray count. `scene` says which objects may share a boundary.
+    pub(super) fn ahead(&self, index: usize, scene: &Scene, list: &IntervalList) -> Ahead {
+        let solid = &scene.objects[index].solid;
+        let line = [self.origin, self.direction];
+        let list_from = |origin| solid.inside::<f64>(origin, self.direction, &mut NullRecorder);
         match self.departure {
-            Some(departure) if departure.object == index => {
-                let list_from = |origin| object.solid.inside::<f64>(origin, self.direction, &mut NullRecorder);
-                departure.ahead(&object.solid, [self.origin, self.direction], list, list_from)
+            Some(departure) if departure.object == index => departure.ahead(solid, line, list, list_from),
+            Some(departure) if scene.index.touching[departure.object].contains(&index) => {
+                departure.ahead_in_neighbour(solid, line, list, self.media.contains(index), list_from)
             }
             _ => Ahead::of(list),
         }
+    }
+
+    /// Whether the ray starts on the object, or on one that may share a boundary with it.
+    pub(super) fn starts_at(&self, object: usize, scene: &Scene) -> bool {
+        let touches = |departed: usize| departed == object || scene.index.touching[departed].contains(&object);
+        self.departure.is_some_and(|departure| touches(departure.object))
     }
 }
 
@@ -151,17 +164,25 @@ impl<'a> Tracer<'a> {
         recorder.count(Counter::Ray(ray.kind));
         let closest = if R::RECORDING {
             let found = step(ray, 2, recorder, |recorder| self.find_all_intersections(ray, recorder));
-            step(ray, 3, recorder, |recorder| self.find_closest_in_front(&found, recorder))
+            step(ray, 3, recorder, |recorder| self.find_closest_in_front(ray, &found, recorder))
         } else {
             self.nearest(ray, recorder)
         };
         let mut surface = step(ray, 4, recorder, |recorder| {
             closest.as_ref().map(|closest| self.compute_hit_point(ray, closest, recorder))
         });
-        step(ray, 5, recorder, |recorder| match &mut surface {
+        step(ray, 5, recorder, |recorder| match self.filling(ray) {
+            None => self.see(ray, surface.as_mut(), recorder),
+            Some(filling) => self.see_through(ray, &filling, surface.as_mut(), recorder),
+        })
+    }
+
+    /// The light that comes from where the ray ends.
+    pub(super) fn see<R: Recorder>(&self, ray: &Ray, surface: Option<&mut Surface>, recorder: &mut R) -> Rgb {
+        match surface {
             Some(surface) => self.find_colour(ray, surface, recorder),
             None => self.see_background(ray, recorder),
-        })
+        }
     }
 
     /// A ray from the eye, in the media that the eye is inside.
@@ -181,18 +202,20 @@ impl<'a> Tracer<'a> {
 
     /// Step 5 where nothing is hit.
     fn see_background(&self, ray: &Ray, recorder: &mut impl Recorder) -> Rgb {
-        let background = match &self.scene.environment {
-            Some(_) => self.see_environment(ray.direction, ray.beam.as_deref(), recorder),
-            None => self.scene.background,
+        let background = if self.calls_for(Effect::Environment) {
+            self.see_environment(ray.direction, ray.beam.as_deref(), recorder)
+        } else {
+            self.scene.background
         };
         recorder.note(|| Entry::new(What::Nothing { background: background.to_array() }));
         background
     }
 
-    /// The light from infinitely far away, against `direction`; black where the scene has no environment.
+    /// The light from infinitely far away, against `direction`; the background where the scene has no environment.
     pub(super) fn see_environment<R: Recorder>(&self, direction: DVec3, beam: Option<&Beam>, recorder: &mut R) -> Rgb {
-        let Some(environment) = &self.scene.environment else { return Rgb::ZERO };
-        recorder.count(Counter::Call(Effect::Environment));
+        let environment = self.scene.environment.as_ref().filter(|_| self.calls_for(Effect::Environment));
+        let Some(environment) = environment else { return self.scene.background };
+        Self::enter(Effect::Environment, recorder);
         let corners = beam.filter(|_| environment.averaged).map(Beam::directions);
         environment.map.towards(direction, corners, recorder)
     }

@@ -5,7 +5,7 @@ use super::closest::Surface;
 use super::departure::Departure;
 use super::division::{Division, Through};
 use super::media::MediaCrossing;
-use super::ray::{Components, MOST_RAYS, Ray, Tracer};
+use super::ray::{Components, MOST_RAYS, MOST_TURNS, Ray, Tracer};
 use crate::optics::{MediaStack, reflect};
 use crate::record::{Counter, Effect, Entry, RayKind, Recorder, Value, What};
 use crate::scene::{ALL_EFFECTS, Material, Rgb, Split};
@@ -64,7 +64,7 @@ impl Tracer<'_> {
             // Where all light is reflected inside glass, it is the glass that calls for the mirrored ray.
             let mirrors = material.reflectivity > 0.0 || material.split != Split::Weights;
             let effect = if mirrors { Effect::Reflection } else { Effect::Refraction };
-            recorder.count(Counter::Call(effect));
+            Self::enter(effect, recorder);
             let (kind, media, wavelength) = (RayKind::Reflected, ray.media.clone(), ray.wavelength);
             let beam = corners.as_deref().map(|corners| Beam::mirrored(corners, surface));
             let branch = kind as u32;
@@ -73,7 +73,7 @@ impl Tracer<'_> {
         }
         for (number, Through { direction, indices, share, wavelength }) in (0..).zip(through) {
             if number == 0 {
-                recorder.count(Counter::Call(Effect::Refraction));
+                Self::enter(Effect::Refraction, recorder);
             }
             // Without dispersion there would be one ray.
             let effect = if number == 0 { Effect::Refraction } else { Effect::Dispersion };
@@ -142,10 +142,12 @@ impl Tracer<'_> {
         colour
     }
 
-    fn stopped_by_a_limit(&self, ray: &Ray, used_up: bool, recorder: &mut impl Recorder) -> bool {
+    pub(super) fn stopped_by_a_limit(&self, ray: &Ray, used_up: bool, recorder: &mut impl Recorder) -> bool {
         let limits = self.scene.limits;
         let (limit, at, value) = if ray.depth > limits.depth {
             ("depth", f64::from(limits.depth), f64::from(ray.depth))
+        } else if ray.turns > MOST_TURNS {
+            ("turns", f64::from(MOST_TURNS), f64::from(ray.turns))
         } else if ray.weight < limits.contribution {
             ("contribution", limits.contribution, ray.weight)
         } else if used_up {

@@ -2,7 +2,8 @@
 
 use super::sample::Sketch;
 use crate::record::{
-    Average, Conductor, Confusion, Lens, LightSample, Overlap, Phase, Sample, Scatter, Segment, Wavelength, What,
+    Average, Conductor, Confusion, Lens, LightSample, Overlap, Passage, Phase, Sample, Scatter, Segment, Wavelength,
+    What,
 };
 
 /// The second sample of a pixel, half a pixel to the right of its centre.
@@ -108,5 +109,12 @@ pub fn light_on_its_way(sketch: &mut Sketch) {
             direction: [0.0, 0.6, 0.8],
         }));
     });
+    sketch.note(What::Passage(Passage {
+        medium: "mist".into(),
+        behind: [1.0, 0.5, 0.0],
+        passes: [0.472_366_552_741_014_7; 3],
+        scattered: [0.1; 3],
+        colour: [0.572_366_552_741_014_7, 0.336_183_276_370_507_35, 0.1],
+    }));
     sketch.note(What::Overlap(Overlap { first: "bowl".into(), second: "water".into(), interval: [0.5, 1.5] }));
 }

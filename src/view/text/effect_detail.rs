@@ -4,8 +4,8 @@ use super::detail::{DetailLine, pair};
 use super::format::{degrees, percent, vector};
 use super::texture_row::place;
 use crate::record::{
-    Average, Conductor, Confusion, Lens, LightSample, Overlap, Phase, Sample, Scatter, Segment, Wavelength, What,
-    format_number,
+    Average, Conductor, Confusion, Lens, LightSample, Overlap, Passage, Phase, Sample, Scatter, Segment, Wavelength,
+    What, format_number,
 };
 
 /// The lines of an event of this kind.
@@ -41,6 +41,13 @@ pub(super) fn effect_lines(what: &What) -> Option<Vec<DetailLine>> {
             pair("cosθ", format_number(*cosine)),
             pair("p per steradian", format_number(*value)),
             pair("direction", vector(*direction)),
+        ],
+        What::Passage(Passage { medium, behind, passes, scattered, colour }) => vec![
+            pair("medium", medium.clone()),
+            pair("light from the far end", vector(*behind)),
+            pair("share of it", vector(*passes)),
+            pair("light turned on the way", vector(*scattered)),
+            pair("colour", vector(*colour)),
         ],
         What::Overlap(Overlap { first, second, interval: [from, to] }) => vec![
             pair("first", first.clone()),
@@ -90,6 +97,10 @@ pub(super) fn explain_effect(what: &What) -> Option<&'static str> {
              light is turned there."
         }
         What::Phase(_) => "Not every angle is alike: the phase function says how much light is turned by this one.",
+        What::Passage(_) => {
+            "What is left of the light from the far end, and what the medium has turned towards the start of the ray on the \
+             way."
+        }
         What::Overlap(_) => {
             "Design policy 1: transparent objects may not fill the same space. These two do, so the scene should be mended."
         }
