@@ -56,14 +56,14 @@ impl Tracer<'_> {
         }
         let Meeting { surface, material, corners } = meeting;
         let Division { mirrored: share, name, through } = self.divide(ray, meeting, crossing, recorder);
-        let is_mirrored = share != Rgb::ZERO;
+        // Where all light is reflected inside glass, it is the glass that calls for the mirrored ray.
+        let mirrors = material.reflectivity > 0.0 || material.split != Split::Weights;
+        let effect = if mirrors { Effect::Reflection } else { Effect::Refraction };
+        let is_mirrored = share != Rgb::ZERO && self.calls_for(effect);
         let budget = budget_for_each(ray, u32::from(is_mirrored) + through.len() as u32);
         if is_mirrored {
             let direction = surface.kept_outside(reflect(ray.direction, surface.n_shading));
             recorder.note(|| describe_reflection(ray, surface, direction, share, name));
-            // Where all light is reflected inside glass, it is the glass that calls for the mirrored ray.
-            let mirrors = material.reflectivity > 0.0 || material.split != Split::Weights;
-            let effect = if mirrors { Effect::Reflection } else { Effect::Refraction };
             Self::enter(effect, recorder);
             let (kind, media, wavelength) = (RayKind::Reflected, ray.media.clone(), ray.wavelength);
             let beam = corners.as_deref().map(|corners| Beam::mirrored(corners, surface));
