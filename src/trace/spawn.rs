@@ -36,6 +36,9 @@ struct Offspring {
     branch: u32,
 }
 
+/// At least as many as there are kinds of rays.
+const MOST_KINDS: u32 = 256;
+
 /// What is left for each of some rays that are spawned together.
 fn budget_for_each(parent: &Ray, count: u32) -> Option<u32> {
     parent.budget.checked_sub(count).map(|left| left / count.max(1))
@@ -60,7 +63,8 @@ impl Tracer<'_> {
         let mirrors = material.reflectivity > 0.0 || material.split != Split::Weights;
         let effect = if mirrors { Effect::Reflection } else { Effect::Refraction };
         let is_mirrored = share != Rgb::ZERO && self.calls_for(effect);
-        let budget = budget_for_each(ray, u32::from(is_mirrored) + through.len() as u32);
+        let passing = u32::try_from(through.len()).unwrap_or(u32::MAX);
+        let budget = budget_for_each(ray, u32::from(is_mirrored).saturating_add(passing));
         if is_mirrored {
             let direction = surface.kept_outside(reflect(ray.direction, surface.n_shading));
             recorder.note(|| describe_reflection(ray, surface, direction, share, name));
@@ -81,7 +85,7 @@ impl Tracer<'_> {
             let direction = surface.kept_inside(direction);
             let way = [ray.direction, direction];
             let beam = corners.as_deref().map(|corners| Beam::bent(corners, surface, way, indices));
-            let branch = kind as u32 + number * RayKind::ALL.len() as u32;
+            let branch = kind as u32 + number * MOST_KINDS;
             let offspring = Offspring { effect, kind, direction, beam, share, media, budget, wavelength, branch };
             components.transmitted += self.look(ray, meeting, offspring, recorder);
         }
