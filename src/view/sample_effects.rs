@@ -2,7 +2,8 @@
 
 use super::sample::Sketch;
 use crate::record::{
-    Average, Conductor, Confusion, Lens, LightSample, Overlap, Passage, Phase, Sample, Scatter, Segment, Wavelength, What,
+    Average, Conductor, Confusion, Lens, LightSample, Overlap, Passage, Phase, Sample, Scatter, Segment, Wavelength,
+    What,
 };
 
 /// The second sample of a pixel, half a pixel to the right of its centre.
