@@ -7,7 +7,7 @@ use super::highlight::Highlight;
 use super::ray::{Components, Ray, Tracer};
 use super::shadow::{Start, Way};
 use crate::record::{Binding, Effect, Entry, Recorder, What};
-use crate::scene::{ALL_EFFECTS, LightKind, Rgb};
+use crate::scene::{LightKind, Rgb};
 
 /// A place on a surface that is to be shaded.
 pub(super) struct Shaded<'a> {
@@ -52,7 +52,7 @@ impl Tracer<'_> {
         let place = Shaded { ray, surface, finish };
         for (index, light) in self.scene.lights.iter().enumerate() {
             let [diffuse, specular] = match light.kind {
-                LightKind::Area(area) if ALL_EFFECTS && self.scene.effects.has(Effect::SoftShadows) => {
+                LightKind::Area(area) if self.calls_for(Effect::SoftShadows) => {
                     self.area_light(&place, index, area, recorder)
                 }
                 _ => self.light(&place, index, recorder),
