@@ -1,4 +1,4 @@
-//! What a surface carries as a drawing: the pixel on the texels, a lattice cell, octaves, a spline, rings, a bump, a frame,
+//! What a surface carries, and the lens that it is seen through, as a drawing: the pixel on the texels, a lattice cell, octaves, a spline, rings, a bump, a frame,
 //! the environment, a detail.
 //!
 //! One file for each kind of event, all of one signature: a [`Sheet`] and what the event holds.
@@ -10,6 +10,7 @@ mod detail;
 mod environment;
 mod frame_map;
 mod lattice;
+mod lens;
 mod octaves;
 mod picture;
 mod rings;
@@ -26,7 +27,7 @@ use crate::record::{EventId, What};
 use crate::scene::Scene;
 use crate::trace::RayTree;
 use sheet::Sheet;
-use telling::{footprint_of, point_of, telling};
+use telling::{footprint_of, lens_of, point_of, telling};
 
 /// The drawing of a look-up, bump, frame or detail: that of `selected` itself, or of the most telling one that belongs to
 /// it (to a texture: what is below it; to a hit: what its surface carries). Where the scene is given, the image of its
@@ -54,6 +55,7 @@ pub fn texture_plot(
             environment::draw(&mut sheet, environment, image);
         }
         What::Detail(detail) => detail::draw(&mut sheet, detail),
+        What::Lens(_) | What::Confusion(_) => lens::draw(&mut sheet, &lens_of(tree, event)?),
         _ => return None,
     }
     Some(sheet.drawing)
