@@ -5,6 +5,7 @@ mod beam;
 mod calls;
 mod closest;
 mod departure;
+mod division;
 mod export;
 mod finish;
 mod highlight;

@@ -1,5 +1,5 @@
-//! What a surface carries, and the lens that it is seen through, as a drawing: the pixel on the texels, a lattice cell, octaves, a spline, rings, a bump, a frame,
-//! the environment, a detail.
+//! What happens to a ray as a drawing: what a surface carries (the pixel on the texels, a lattice cell, octaves, a spline, rings,
+//! a bump, a frame, the environment, a detail), the lens that it is seen through, white light taken apart.
 //!
 //! One file for each kind of event, all of one signature: a [`Sheet`] and what the event holds.
 
@@ -8,6 +8,9 @@ mod chart;
 mod clip;
 mod detail;
 mod environment;
+mod fan;
+#[cfg(test)]
+mod fan_tests;
 mod frame_map;
 mod lattice;
 mod lens;
@@ -56,6 +59,7 @@ pub fn texture_plot(
         }
         What::Detail(detail) => detail::draw(&mut sheet, detail),
         What::Lens(_) | What::Confusion(_) => lens::draw(&mut sheet, &lens_of(tree, event)?),
+        What::Wavelength(_) => fan::draw(&mut sheet, &fan::sent_together(tree, event)),
         _ => return None,
     }
     Some(sheet.drawing)

@@ -61,6 +61,7 @@ const fn rank(what: &What) -> Option<u8> {
         What::Environment(_) => 9,
         What::Lens(_) => 10,
         What::Confusion(_) => 11,
+        What::Wavelength(_) => 12,
         _ => return None,
     })
 }

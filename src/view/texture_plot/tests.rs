@@ -74,7 +74,7 @@ fn extent(form: &Form) -> Frame {
     }
 }
 
-fn assert_readable(drawing: &Drawing, what: &str) {
+pub(super) fn assert_readable(drawing: &Drawing, what: &str) {
     let canvas = drawing.frame().grown(0.01);
     for mark in &drawing.marks {
         assert!(canvas.holds(&extent(&mark.form)), "{what}: {:?} is cut off", mark.form);
