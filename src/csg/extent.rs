@@ -107,6 +107,12 @@ impl Extent {
         self.low.cmple(other.high).all() && other.low.cmple(self.high).all()
     }
 
+    /// The box with all of its faces moved outwards.
+    #[must_use]
+    pub fn grown(&self, by: f64) -> Self {
+        Self { low: self.low - by, high: self.high + by }
+    }
+
     /// Its eight corners.
     #[must_use]
     pub fn corners(&self) -> [DVec3; 8] {

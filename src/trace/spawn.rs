@@ -59,13 +59,10 @@ impl Tracer<'_> {
         }
         let Meeting { surface, material, corners } = meeting;
         let Division { mirrored: share, name, through } = self.divide(ray, meeting, crossing, recorder);
-        // Where all light is reflected inside glass, it is the glass that calls for the mirrored ray.
-        let mirrors = material.reflectivity > 0.0 || material.split != Split::Weights;
-        let effect = if mirrors { Effect::Reflection } else { Effect::Refraction };
-        let is_mirrored = share != Rgb::ZERO && self.calls_for(effect);
+        let mirroring = self.mirrored_for(material, through.is_empty()).filter(|_| share != Rgb::ZERO);
         let passing = u32::try_from(through.len()).unwrap_or(u32::MAX);
-        let budget = budget_for_each(ray, u32::from(is_mirrored).saturating_add(passing));
-        if is_mirrored {
+        let budget = budget_for_each(ray, u32::from(mirroring.is_some()).saturating_add(passing));
+        if let Some(effect) = mirroring {
             let direction = surface.kept_outside(reflect(ray.direction, surface.n_shading));
             recorder.note(|| describe_reflection(ray, surface, direction, share, name));
             Self::enter(effect, recorder);
@@ -89,6 +86,17 @@ impl Tracer<'_> {
             let offspring = Offspring { effect, kind, direction, beam, share, media, budget, wavelength, branch };
             components.transmitted += self.look(ray, meeting, offspring, recorder);
         }
+    }
+
+    /// What calls for a mirrored ray, if anything does. Where light is reflected inside glass because it cannot get out, that is
+    /// the glass.
+    fn mirrored_for(&self, material: &Material, nothing_passes: bool) -> Option<Effect> {
+        let has_weights = material.split == Split::Weights;
+        if self.calls_for(Effect::Reflection) && (material.reflectivity > 0.0 || !has_weights) {
+            return Some(Effect::Reflection);
+        }
+        let is_total = material.transparency > 0.0 && (has_weights || nothing_passes);
+        (is_total && self.calls_for(Effect::Refraction)).then_some(Effect::Refraction)
     }
 
     /// What comes back from a direction: along a ray, or from the environment alone where the material asks for that.

@@ -1,5 +1,5 @@
-//! What a surface carries as a drawing: the pixel on the texels, a lattice cell, octaves, a spline, rings, a bump, a frame,
-//! the environment, a detail; and white light taken apart.
+//! What happens to a ray as a drawing: what a surface carries (the pixel on the texels, a lattice cell, octaves, a spline, rings,
+//! a bump, a frame, the environment, a detail), the lens that it is seen through, white light taken apart.
 //!
 //! One file for each kind of event, all of one signature: a [`Sheet`] and what the event holds.
 
@@ -13,6 +13,7 @@ mod fan;
 mod fan_tests;
 mod frame_map;
 mod lattice;
+mod lens;
 mod octaves;
 mod picture;
 mod rings;
@@ -29,7 +30,7 @@ use crate::record::{EventId, What};
 use crate::scene::Scene;
 use crate::trace::RayTree;
 use sheet::Sheet;
-use telling::{footprint_of, point_of, telling};
+use telling::{footprint_of, lens_of, point_of, telling};
 
 /// The drawing of a look-up, bump, frame or detail: that of `selected` itself, or of the most telling one that belongs to
 /// it (to a texture: what is below it; to a hit: what its surface carries). Where the scene is given, the image of its
@@ -57,6 +58,7 @@ pub fn texture_plot(
             environment::draw(&mut sheet, environment, image);
         }
         What::Detail(detail) => detail::draw(&mut sheet, detail),
+        What::Lens(_) | What::Confusion(_) => lens::draw(&mut sheet, &lens_of(tree, event)?),
         What::Wavelength(_) => fan::draw(&mut sheet, &fan::sent_together(tree, event)),
         _ => return None,
     }
