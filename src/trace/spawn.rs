@@ -129,6 +129,7 @@ impl Tracer<'_> {
             place: None,
             beam,
             wavelength: parent.wavelength,
+            tint: parent.tint * share,
             turns: parent.turns,
             stream: parent.stream.branch(kind as u32),
         };
