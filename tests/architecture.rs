@@ -17,15 +17,16 @@ const LAYERS: &[(&str, &[&str])] = &[
     ("trace", &["record", "math", "shape", "csg", "optics", "texture", "sample", "scene"]),
     ("view", &["record", "math", "shape", "csg", "optics", "texture", "sample", "scene", "trace"]),
     ("accuracy", &["record", "math", "shape", "csg", "optics", "texture", "sample", "scene", "trace", "view"]),
+    ("ledger", &["record", "scene", "trace"]),
     ("peer", &["record", "shape", "csg", "scene"]),
     (
         "cli",
         &[
             "record", "math", "shape", "csg", "optics", "texture", "sample", "scene", "trace", "view", "accuracy",
-            "peer", "app",
+            "ledger", "peer", "app",
         ],
     ),
-    ("app", &["record", "math", "shape", "csg", "optics", "texture", "sample", "scene", "trace", "view"]),
+    ("app", &["record", "math", "shape", "csg", "optics", "texture", "sample", "scene", "trace", "view", "ledger"]),
 ];
 
 /// Crates that only some places may use, and those places.

@@ -2,6 +2,7 @@
 
 mod bench;
 mod drawn;
+mod effects;
 mod export;
 mod failure;
 mod frames;
@@ -31,6 +32,7 @@ Examples:
   rayscope open scenes/csg/bowl.json            open it on a scene of your own
   rayscope render csg/bowl -o bowl.png          render a picture
   rayscope trace csg/bowl --pixel 320,240       print everything that a pixel's ray did
+  rayscope effects optics/fishbowl              say what each effect of a scene costs
   rayscope scan textures/scanning               texture scanning beside inverse scanning
   rayscope export --povray csg/bowl             write a scene for POV-Ray
   rayscope scenes                               list the scenes that come with the program
@@ -60,6 +62,7 @@ enum Command {
     Render(render::Render),
     Trace(trace::Trace),
     Scan(scan::Scan),
+    Effects(effects::Effects),
     Probe(probe::Probe),
     Export(export::Export),
     Scenes(scenes::Scenes),
@@ -81,6 +84,7 @@ pub fn run() -> ExitCode {
         Some(Command::Render(render)) => render.run(),
         Some(Command::Trace(trace)) => trace.run(),
         Some(Command::Scan(scan)) => scan.run(),
+        Some(Command::Effects(effects)) => effects.run(),
         Some(Command::Probe(probe)) => probe.run(),
         Some(Command::Export(export)) => export.run(),
         Some(Command::Scenes(scenes)) => scenes.run(),

@@ -1,6 +1,7 @@
 //! What surfaces carry besides their plain colours, compiled.
 
 use super::Detail;
+use crate::record::Effect;
 use crate::texture::image::ImageTexture;
 use crate::texture::relief::{Bump, Grain};
 use crate::texture::solid::{Pattern, SolidTexture};
@@ -31,6 +32,17 @@ pub enum Texture {
     },
     /// A colour for each point of space.
     Solid(Box<MovingTexture>),
+}
+
+impl Texture {
+    /// What it is called for as.
+    #[must_use]
+    pub const fn effect(&self) -> Effect {
+        match self {
+            Self::Image { .. } => Effect::ImageTextures,
+            Self::Solid(_) => Effect::SolidTextures,
+        }
+    }
 }
 
 /// What turns a normal as if the surface were raised.

@@ -6,7 +6,7 @@ use super::camera_reader::{camera, lens, sampling};
 use super::check::check;
 use super::coat_reader::CoatReader;
 use super::diagnostics::Diagnostics;
-use super::effects::{Effects, reasons};
+use super::effects::{ALL_EFFECTS, Effects, Reason, reasons};
 use super::file::{LimitsFile, MOST_PIXELS, MaterialFile, MediaFile, SceneFile, scene_schema};
 use super::files::{EmbeddedFiles, Files};
 use super::glass_reader::{dispersion, medium, split};
@@ -19,6 +19,7 @@ use super::problem::{Path, Problem, Problems};
 use super::rules::Rules;
 use super::solids::{Around, Cover, SolidReader, find_circles, place_of};
 use super::source::{locate, parse, to_value};
+use crate::record::Effect;
 use glam::DVec3;
 use serde::Deserialize;
 use serde_json::{Map, Value};
@@ -110,8 +111,19 @@ fn compile(file: SceneFile, files: &dyn Files, problems: &mut Problems) -> Optio
         limits: limits(file.limits.or_default()),
         pixels,
     };
-    let effects = Effects::of(&reasons(&scene));
+    let reasons = reasons(&scene);
+    refuse_what_is_left_out(&reasons, problems);
+    let effects = Effects::of(&reasons);
     Some(Scene { effects, ..scene.at_frame(file.frame.or_default()) })
+}
+
+/// A build without effects cannot render what calls for them.
+fn refuse_what_is_left_out(reasons: &[Reason], problems: &mut Problems) {
+    let is_left_out = |reason: &&Reason| reason.called_for && reason.effect != Effect::Shadows;
+    for Reason { effect, why, .. } in reasons.iter().filter(|_| !ALL_EFFECTS).filter(is_left_out) {
+        let message = format!("this build leaves {} out, and the scene calls for it ({why})", effect.name());
+        problems.add(Path::Root, message).help("build without the feature `bare`");
+    }
 }
 
 fn limits(file: LimitsFile) -> Limits {

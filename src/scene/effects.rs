@@ -30,10 +30,19 @@ impl Effects {
         self.0 & 1 << effect as u32 != 0
     }
 
+    /// All effects.
+    pub const ALL: Self = Self((1 << Effect::ALL.len()) - 1);
+
     /// The same set without an effect.
     #[must_use]
     pub const fn without(self, effect: Effect) -> Self {
         Self(self.0 & !(1 << effect as u32))
+    }
+
+    /// The same set with an effect.
+    #[must_use]
+    pub const fn with(self, effect: Effect) -> Self {
+        Self(self.0 | 1 << effect as u32)
     }
 
     /// Those of a list of reasons.

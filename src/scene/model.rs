@@ -167,6 +167,12 @@ pub struct SceneEnvironment {
 }
 
 impl Scene {
+    /// The same scene with other effects switched on. Those that nothing in it calls for stay without effect.
+    #[must_use]
+    pub fn with_effects(&self, effects: Effects) -> Self {
+        Self { effects, ..self.clone() }
+    }
+
     /// The same scene in another frame of its animation.
     #[must_use]
     pub fn at_frame(mut self, frame: f64) -> Self {

@@ -3,7 +3,7 @@
 use super::departure::Ahead;
 use super::ray::{Ray, Tracer};
 use crate::csg::{Boundary, Course, Extent, IntervalList, Leaf};
-use crate::record::{Counter, Effect, Entry, Recorder, Sense, Value, What};
+use crate::record::{Effect, Entry, Recorder, Sense, Value, What};
 use crate::scene::{Detail, Material, Projection};
 use crate::shape::Primitive;
 use glam::{DVec2, DVec3};
@@ -215,11 +215,11 @@ impl Tracer<'_> {
         let point = ray.origin + ray.direction * boundary.t;
         let n_geometric = self.scene.objects[object].solid.normal(&boundary, point);
         let n_shading = if n_geometric.dot(ray.direction) > 0.0 { -n_geometric } else { n_geometric };
-        let (material, detail) = self.scene.objects[object].material_at(&boundary, point);
+        let (material, detail) = self.material_at(object, &boundary, point);
         let surface = Surface { object, boundary, sense, material, point, n_geometric, n_shading };
         recorder.note(|| self.describe_hit(ray, &surface));
         if let Some((detail, place)) = detail {
-            recorder.count(Counter::Call(Effect::Details));
+            Self::enter(Effect::Details, recorder);
             recorder.note(|| self.describe_detail(&surface, detail, place));
         }
         surface

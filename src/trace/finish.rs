@@ -4,8 +4,8 @@
 use super::beam::Corner;
 use super::closest::Surface;
 use super::ray::Tracer;
-use crate::record::{self, Counter, Effect, Entry, Recorder, What};
-use crate::scene::{Bumps, Coat, Material, MovingTexture, Rgb, Texture, mapped_part};
+use crate::record::{self, Effect, Entry, Recorder, What};
+use crate::scene::{ALL_EFFECTS, Bumps, Coat, Material, MovingTexture, Rgb, Texture, mapped_part};
 use crate::shape::Primitive;
 use crate::texture::image::{ImageTexture, Place};
 use crate::texture::relief::{Frame, Rise, Site, raised, turning};
@@ -32,9 +32,9 @@ impl<'a> Tracer<'a> {
     ) -> Finish<'a> {
         let material = &self.scene.materials[surface.material];
         let mut finish = Finish { material, ambient: material.ambient, diffuse: material.diffuse, grain: None };
-        let Some(coat) = &material.coat else { return finish };
+        let Some(coat) = material.coat.as_ref().filter(|_| ALL_EFFECTS) else { return finish };
         finish.grain = self.turn(surface, coat, recorder);
-        if let Some(texture) = &coat.texture {
+        if let Some(texture) = coat.texture.as_ref().filter(|texture| self.calls_for(texture.effect())) {
             let pigment = self.pigment(surface, texture, corners, recorder);
             finish.ambient *= pigment;
             finish.diffuse *= pigment;
@@ -44,16 +44,18 @@ impl<'a> Tracer<'a> {
 
     /// Turns the normal by what the material's bump says, and the frame by its grain, which is returned with its roughness.
     fn turn<R: Recorder>(&self, surface: &mut Surface, coat: &Coat, recorder: &mut R) -> Option<(Frame, [f64; 2])> {
-        if coat.bump.is_none() && coat.frame.is_none() {
+        let bump = coat.bump.as_ref().filter(|_| self.calls_for(Effect::Bumps));
+        let frame = coat.frame.as_ref().filter(|_| self.calls_for(Effect::Frames));
+        if bump.is_none() && frame.is_none() {
             return None;
         }
         let mut site = self.site(surface);
-        if let Some(bump) = &coat.bump {
-            recorder.count(Counter::Call(Effect::Bumps));
+        if let Some(bump) = bump {
+            Self::enter(Effect::Bumps, recorder);
             site.normal = self.bumped(surface, bump, &site, recorder);
         }
-        let frame = coat.frame.as_ref().map(|coat| {
-            recorder.count(Counter::Call(Effect::Frames));
+        let frame = frame.map(|coat| {
+            Self::enter(Effect::Frames, recorder);
             (coat.grain.frame(&site, coat.roughness, recorder), coat.roughness)
         });
         let normal = frame.map_or(site.normal, |(frame, _)| frame.normal);
@@ -107,9 +109,9 @@ impl<'a> Tracer<'a> {
         corners: Option<&[Corner; 4]>,
         recorder: &mut R,
     ) -> Rgb {
+        Self::enter(texture.effect(), recorder);
         match texture {
             Texture::Image { image, parts } => {
-                recorder.count(Counter::Call(Effect::ImageTextures));
                 let uv = self.uv(surface, surface.point);
                 recorder.event(
                     |recorder| self.image_colour(surface, uv, (image, parts), corners, recorder),
@@ -117,7 +119,6 @@ impl<'a> Tracer<'a> {
                 )
             }
             Texture::Solid(moving) => {
-                recorder.count(Counter::Call(Effect::SolidTextures));
                 let point = self.texture_point(surface, moving);
                 recorder.event(
                     |recorder| moving.texture.colour(point, recorder),

@@ -6,8 +6,8 @@ use super::finish::Finish;
 use super::highlight::Highlight;
 use super::ray::{Components, Ray, Tracer};
 use super::shadow::{Start, Way};
-use crate::record::{Binding, Entry, Recorder, What};
-use crate::scene::{ALL_EFFECTS, LightKind, Rgb};
+use crate::record::{Binding, Effect, Entry, Recorder, What};
+use crate::scene::{LightKind, Rgb};
 
 /// A place on a surface that is to be shaded.
 pub(super) struct Shaded<'a> {
@@ -52,7 +52,9 @@ impl Tracer<'_> {
         let place = Shaded { ray, surface, finish };
         for (index, light) in self.scene.lights.iter().enumerate() {
             let [diffuse, specular] = match light.kind {
-                LightKind::Area(area) if ALL_EFFECTS => self.area_light(&place, index, area, recorder),
+                LightKind::Area(area) if self.calls_for(Effect::SoftShadows) => {
+                    self.area_light(&place, index, area, recorder)
+                }
                 _ => self.light(&place, index, recorder),
             };
             components.diffuse += diffuse;
@@ -64,7 +66,9 @@ impl Tracer<'_> {
     fn light<R: Recorder>(&self, place: &Shaded, index: usize, recorder: &mut R) -> [Rgb; 2] {
         recorder.begin();
         let light = &self.scene.lights[index];
+        // A light whose size is not called for is as good as its middle.
         let way = Way::new(&self.scene.lights, index, place.surface.point, MIDDLE);
+        let way = Way { effect: Effect::Shadows, ..way };
         let terms = self.terms(place, &way, recorder);
         recorder.end(|| {
             let distance = matches!(light.kind, LightKind::Point(_)).then(|| way.direction.length());

@@ -2,6 +2,7 @@
 
 mod area_light;
 mod beam;
+mod calls;
 mod closest;
 mod departure;
 mod export;

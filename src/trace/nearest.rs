@@ -38,7 +38,7 @@ impl Tracer<'_> {
                 shade.is_dark |= self.blocks(object, ray, &course, is_met, limit, recorder);
             } else {
                 let ahead = self.ahead_in(object, ray, &course, is_met, recorder);
-                shade.add(object, self.passed(ray, &self.scene.objects[object], &ahead, limit, recorder));
+                shade.add(object, self.passed(ray, object, &ahead, limit, recorder));
             }
             if shade.is_dark { f64::NEG_INFINITY } else { limit }
         };

@@ -205,18 +205,20 @@ impl<'a> Tracer<'a> {
 
     /// Step 5 where nothing is hit.
     fn see_background(&self, ray: &Ray, recorder: &mut impl Recorder) -> Rgb {
-        let background = match &self.scene.environment {
-            Some(_) => self.see_environment(ray.direction, ray.beam.as_deref(), recorder),
-            None => self.scene.background,
+        let background = if self.calls_for(Effect::Environment) {
+            self.see_environment(ray.direction, ray.beam.as_deref(), recorder)
+        } else {
+            self.scene.background
         };
         recorder.note(|| Entry::new(What::Nothing { background: background.to_array() }));
         background
     }
 
-    /// The light from infinitely far away, against `direction`; black where the scene has no environment.
+    /// The light from infinitely far away, against `direction`; the background where the scene has no environment.
     pub(super) fn see_environment<R: Recorder>(&self, direction: DVec3, beam: Option<&Beam>, recorder: &mut R) -> Rgb {
-        let Some(environment) = &self.scene.environment else { return Rgb::ZERO };
-        recorder.count(Counter::Call(Effect::Environment));
+        let environment = self.scene.environment.as_ref().filter(|_| self.calls_for(Effect::Environment));
+        let Some(environment) = environment else { return self.scene.background };
+        Self::enter(Effect::Environment, recorder);
         let corners = beam.filter(|_| environment.averaged).map(Beam::directions);
         environment.map.towards(direction, corners, recorder)
     }

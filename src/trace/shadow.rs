@@ -3,7 +3,7 @@
 use super::departure::{Ahead, Departure};
 use super::ray::{Ray, Tracer};
 use crate::record::{Counter, Effect, Entry, RayKind, Recorder, What};
-use crate::scene::{Light, LightKind, Object, Rgb};
+use crate::scene::{Light, LightKind, Rgb};
 use glam::DVec3;
 use smallvec::SmallVec;
 
@@ -78,6 +78,9 @@ impl Tracer<'_> {
     /// The share of a light that arrives, by colour: a shadow ray, stopped by the first opaque object. Each surface
     /// of a transparent object passes its transparency, as it does for a ray from the eye; shadow rays are not bent.
     pub(super) fn arriving<R: Recorder>(&self, start: &Start, way: &Way, recorder: &mut R) -> Rgb {
+        if !self.calls_for(way.effect) {
+            return Rgb::ONE;
+        }
         let Start { ray, origin, departure } = *start;
         let shadow = Ray {
             kind: RayKind::Shadow,
@@ -95,7 +98,7 @@ impl Tracer<'_> {
             turns: ray.turns,
             stream: ray.stream,
         };
-        recorder.count(Counter::Call(way.effect));
+        Self::enter(way.effect, recorder);
         recorder.count(Counter::Sent(way.effect));
         recorder.count(Counter::Ray(RayKind::Shadow));
         if !R::RECORDING {
@@ -118,7 +121,7 @@ impl Tracer<'_> {
             let list = self.intersect(index, shadow, &course, recorder);
             let ahead = shadow.ahead(index, self.scene, &list);
             ahead.report(object, recorder);
-            share *= self.passed(shadow, object, &ahead, limit, recorder);
+            share *= self.passed(shadow, index, &ahead, limit, recorder);
             if share == 0.0 {
                 break;
             }
@@ -130,16 +133,17 @@ impl Tracer<'_> {
     pub(super) fn passed<R: Recorder>(
         &self,
         shadow: &Ray,
-        object: &Object,
+        index: usize,
         ahead: &Ahead,
         limit: f64,
         recorder: &mut R,
     ) -> f64 {
+        let object = &self.scene.objects[index];
         let mut share = 1.0;
         for boundary in ahead.surfaces(limit) {
             let t = boundary.map_or(0.0, |boundary| boundary.t);
             let material = boundary.map_or(object.leaf_materials[0], |boundary| {
-                object.material_at(boundary, shadow.origin + shadow.direction * t).0
+                self.material_at(index, boundary, shadow.origin + shadow.direction * t).0
             });
             let passes = self.scene.materials[material].transparency;
             share *= passes;

@@ -1,6 +1,5 @@
 //! `rayscope bench`: the same scenes by this program and by another, in turn, with what each took and how far they agree.
 
-mod cpu_time;
 mod povray;
 mod scenes;
 mod table;
@@ -9,12 +8,12 @@ use super::failure::Failure;
 use super::output::Output;
 use super::progress::{stop_on_ctrl_c, with_bar};
 use super::scene_argument::SizeArguments;
+use crate::cpu_time::cpu_time;
 use crate::peer::Agreement;
 use crate::record::RayKind;
 use crate::scene::Scene;
 use crate::trace::{Progress, render};
 use clap::{Args, ValueEnum};
-use cpu_time::cpu_time;
 use povray::{Bounding, installed_version};
 use scenes::{PeerScene, read};
 use std::io::{self, Write};

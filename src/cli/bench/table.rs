@@ -1,7 +1,7 @@
 //! What the turns took, for reading and as data.
 
-use super::cpu_time::is_cpu_time;
 use crate::cli::failure::Failure;
+use crate::cpu_time::is_cpu_time;
 use crate::peer::Agreement;
 use clap::ValueEnum;
 use serde::Serialize;

@@ -12,6 +12,7 @@ const SCHEDULER: &str = "/proc/thread-self/schedstat";
 const REST: Duration = Duration::from_micros(1);
 
 /// Whether times are CPU times here; elsewhere they are those of the clock on the wall.
+#[must_use]
 pub fn is_cpu_time() -> bool {
     worked().is_some()
 }
