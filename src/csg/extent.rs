@@ -98,13 +98,19 @@ impl Extent {
     /// Whether it holds a point, or would if it were wider by `slack` on all sides.
     #[must_use]
     pub fn holds_nearly(&self, point: DVec3, slack: f64) -> bool {
-        (self.low - slack).cmple(point).all() && point.cmple(self.high + slack).all()
+        self.grown(slack).holds(point)
     }
 
     /// Whether some point is in both.
     #[must_use]
     pub fn meets(&self, other: Self) -> bool {
         self.low.cmple(other.high).all() && other.low.cmple(self.high).all()
+    }
+
+    /// The box with all of its faces moved outwards.
+    #[must_use]
+    pub fn grown(&self, by: f64) -> Self {
+        Self { low: self.low - by, high: self.high + by }
     }
 
     /// Its eight corners.

@@ -1,7 +1,7 @@
 //! The disc: an even map from the unit square.
 
 use crate::math::sine_cosine;
-use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
 /// The point of the unit disc for a point of the unit square. Equal areas stay equal, and squares about the middle become
 /// rings about the middle; the middle itself stays where it is.
@@ -9,14 +9,20 @@ use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 /// Source: P. Shirley and K. Chiu, A Low Distortion Map Between Disk and Square (Journal of Graphics Tools 2(3), 1997).
 #[must_use]
 pub fn concentric_disc(square: [f64; 2]) -> [f64; 2] {
+    let (radius, angle) = polar(square);
+    let (sine, cosine) = sine_cosine(angle);
+    [radius * cosine, radius * sine]
+}
+
+/// The same point by its distance from the middle and its angle in radians.
+pub(super) fn polar(square: [f64; 2]) -> (f64, f64) {
     let [a, b] = square.map(|x| 2.0 * x - 1.0);
     if a == 0.0 && b == 0.0 {
-        return [0.0; 2];
+        return (0.0, 0.0);
     }
     let (radius, angle) =
         if a.abs() > b.abs() { (a, FRAC_PI_4 * (b / a)) } else { (b, FRAC_PI_2 - FRAC_PI_4 * (a / b)) };
-    let (sine, cosine) = sine_cosine(angle);
-    [radius * cosine, radius * sine]
+    if radius < 0.0 { (-radius, angle + PI) } else { (radius, angle) }
 }
 
 #[cfg(test)]

@@ -2,6 +2,7 @@
 
 use super::camera::{Adaptive, Camera, Lens, Sampling};
 use super::camera_file::{ApertureFile, CameraFile, LensFile, PixelFilterFile, SamplingFile};
+use super::coat_reader::CoatReader;
 use super::compile::unit;
 use super::problem::{Path, Problems};
 use crate::sample::{Aperture, PixelFilter};
@@ -36,13 +37,15 @@ pub(super) fn camera(file: &CameraFile, problems: &mut Problems) -> Option<Camer
 }
 
 /// The lens in front of the eye.
-pub(super) fn lens(file: &LensFile, problems: &mut Problems) -> Option<Box<Lens>> {
+pub(super) fn lens(file: &LensFile, pictures: &mut CoatReader) -> Option<Box<Lens>> {
     let aperture = match &file.aperture {
         ApertureFile::Disc => Aperture::Disc,
         ApertureFile::Polygon { sides, turn } => Aperture::Polygon { sides: *sides, turn: turn.to_radians() },
-        ApertureFile::Image { .. } => {
-            problems.add(Path::Root.field("camera"), "pictures of apertures are not read yet");
-            return None;
+        ApertureFile::Image { file } => {
+            let camera = Path::Root.field("camera");
+            let lens = camera.field("lens");
+            let aperture = lens.field("aperture");
+            Aperture::Image(pictures.mask(file, aperture.field("file"))?)
         }
     };
     Some(Box::new(Lens { radius: file.radius, focus: file.focus, aperture }))

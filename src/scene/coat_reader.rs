@@ -11,6 +11,7 @@ use super::relief_file::BumpFile;
 use super::relief_reader::{bump, grain};
 use super::solid_texture_reader::{Fault, solid_texture};
 use super::texture_file::{FilterFile, MapFile, TextureFile, WrapFile};
+use crate::sample::Mask;
 use crate::texture::image::{Affine, Environment, Filter, ImageTexture, Layout, Mapping, Texels, Wrap, Wraps};
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -50,6 +51,18 @@ impl<'a> CoatReader<'a> {
         };
         let map = self.right(Environment::new(texels, layout, file.turn), path.field("file"))?;
         Some(SceneEnvironment { map, averaged: file.filter == EnvironmentFilterFile::Area })
+    }
+
+    /// The picture of this name as a density: by the mean of its red, green and blue, which are linear.
+    pub fn mask(&mut self, name: &str, path: Path) -> Option<Arc<Mask>> {
+        let texels = self.picture(name, path)?;
+        let [columns, rows] = texels.size();
+        let edges = Wraps { columns: Wrap::Clamp, rows: Wrap::Clamp };
+        let places = (0..rows).flat_map(|row| (0..columns).map(move |column| [i64::from(column), i64::from(row)]));
+        let weights: Vec<f64> = places.map(|place| texels.at(place, edges).element_sum() / 3.0).collect();
+        let made = Mask::new(columns as usize, &weights);
+        let made = made.map_err(|why| format!("`{name}` cannot be an aperture: {why}; white should let light through"));
+        self.right(made, path).map(Arc::new)
     }
 
     /// The picture of this name, read once.

@@ -16,6 +16,7 @@ use super::light_reader::lights;
 use super::model::{Limits, Material, MediaPolicy, Object, Scene, Shortcuts};
 use super::object_index::ObjectIndex;
 use super::problem::{Path, Problem, Problems};
+use super::projection::View;
 use super::rules::Rules;
 use super::solids::{Around, Cover, SolidReader, find_circles, place_of};
 use super::source::{locate, parse, to_value};
@@ -65,10 +66,10 @@ fn compile(file: SceneFile, files: &dyn Files, problems: &mut Problems) -> Optio
     let image = image(&file, problems);
     let camera_file = file.camera.clone().or_default();
     let camera = camera(&camera_file, problems);
-    let lens = camera_file.lens.as_ref().and_then(|file| lens(file, problems));
     let pixels = pixels(&file, image, problems);
     let lights = lights(&file, problems);
     let mut coats = CoatReader::new(files, problems);
+    let lens = camera_file.lens.as_ref().and_then(|file| lens(file, &mut coats));
     let environment = file.environment.as_ref().and_then(|file| coats.environment(file.0.as_ref()?));
     let materials = materials(file.materials.or_default(), &mut coats);
     let objects = objects(&file.solids.or_default(), &file.objects.or_default(), &materials, problems);
@@ -78,7 +79,7 @@ fn compile(file: SceneFile, files: &dyn Files, problems: &mut Problems) -> Optio
         // What is wrong may be a material that does not exist; nothing may look it up.
         return None;
     }
-    let index = ObjectIndex::new(&objects, &materials, &camera);
+    let index = ObjectIndex::new(&objects, &materials, View { camera: &camera, lens: lens.as_deref() });
     let needs_beams = environment.as_ref().is_some_and(|environment| environment.averaged)
         || materials.iter().filter_map(|material| material.coat.as_ref()).any(|coat| coat.needs_footprints());
     let scatters = |material: &Material| material.medium.is_some_and(|medium| medium.scattering != DVec3::ZERO);

@@ -60,7 +60,7 @@ pub use light_file::{AreaFile, LightFile};
 pub use model::{Limits, Material, MediaPolicy, Object, Rgb, Scene, SceneEnvironment, Shortcuts, Split};
 pub use object_index::ObjectIndex;
 pub use pictures::{decode, decode_heights};
-pub use projection::Projection;
+pub use projection::{Glance, Projection, View};
 pub use relief_file::{BumpFile, FrameFile};
 pub use sight::{Candidate, LightSight, Sight, Sights};
 pub use solid_file::{HalfSpaceFile, Scale, SolidFile, Transform};

@@ -1,7 +1,7 @@
 //! What is known of the object list before a ray is sent, worked out once for a scene.
 
-use super::projection::Blur;
-use super::{Camera, Material, Object, Projection};
+use super::projection::{Blur, View};
+use super::{Material, Object, Projection};
 use crate::csg::{Extent, Hierarchy};
 
 /// The objects, arranged so that a ray need not ask all of them.
@@ -21,34 +21,43 @@ pub struct ObjectIndex {
     pub transparent: Vec<usize>,
     /// For each of them, by its place in the list, the other ones whose boxes meet its own, ascending; none for opaque objects.
     pub touching: Vec<Vec<usize>>,
-    /// Those of them that may hold the eye: those whose boxes do.
+    /// Those of them that may hold the eye, or a point of its lens: those whose boxes do.
     pub around_the_eye: Vec<usize>,
+    /// How far from the middle of the lens a point may lie for that list to hold; 0 for a pinhole.
+    pub eye_reach: f64,
     /// The largest [`Placement::skew`](crate::csg::Placement::skew) of all.
     pub skew: f64,
 }
 
+/// How far from its middle a point of the lens lies at most, in radii: a picture fills the square around it, whose corners lie
+/// √2 away.
+const EYE_REACH: f64 = 1.5;
+
 impl ObjectIndex {
     /// Looks at all objects.
     #[must_use]
-    pub fn new(objects: &[Object], materials: &[Material], camera: &Camera) -> Self {
+    pub fn new(objects: &[Object], materials: &[Material], view: View) -> Self {
         let extents: Vec<Extent> = objects.iter().map(|object| object.solid.extent()).collect();
         let has_box = |object: &usize| extents[*object].is_finite();
         let (bounded, unbounded): (Vec<_>, Vec<_>) = (0..objects.len()).partition(has_box);
         let boxes: Vec<Extent> = bounded.iter().map(|&object| extents[object]).collect();
         let lets_through = |material: usize| materials[material].transparency > 0.0;
         let transparent: Vec<_> = (0..objects.len()).filter(|&o| lets_through(objects[o].material)).collect();
-        let around_the_eye = transparent.iter().copied().filter(|&object| extents[object].holds(camera.eye)).collect();
+        let eye_reach = EYE_REACH * view.radius();
+        let may_hold_eye = |object: &usize| extents[*object].grown(2.0 * eye_reach).holds(view.camera.eye);
+        let around_the_eye = transparent.iter().copied().filter(may_hold_eye).collect();
         let skew = objects.iter().map(|object| object.solid.skew).fold(1.0, f64::max);
-        let blur = Blur { skew, reach: camera.eye.abs().max_element() };
+        let blur = Blur { skew, reach: view.reach() };
         Self {
             hierarchy: Hierarchy::new(&boxes),
             bounded,
             unbounded,
             opaque: objects.iter().map(|object| !object.surface_materials().any(lets_through)).collect(),
-            projections: objects.iter().map(|object| Projection::new(camera, &object.solid.hull(), blur)).collect(),
+            projections: objects.iter().map(|object| Projection::new(view, &object.solid.hull(), blur)).collect(),
             touching: touching(&extents, &transparent),
             transparent,
             around_the_eye,
+            eye_reach,
             skew,
         }
     }

@@ -7,7 +7,7 @@
 //! **Source** E. Haines, D. Greenberg, "The light buffer: a shadow-testing accelerator", IEEE Computer Graphics and
 //! Applications 6(9), 1986; the vista buffer is the same idea for the eye.
 
-use super::projection::Blur;
+use super::projection::{Blur, View};
 use super::{Camera, Light, LightKind, Object, Projection, Scene};
 use glam::{DVec2, DVec3};
 
@@ -24,15 +24,17 @@ pub struct Candidate {
 
 impl Candidate {
     /// None where the object is wholly behind the eye or beside the rectangle from −`half` to `half`.
-    fn new(camera: &Camera, half: DVec2, objects: &[Object], object: usize, blur: Blur) -> Option<Self> {
+    fn new(view: View, half: DVec2, objects: &[Object], object: usize, blur: Blur) -> Option<Self> {
+        let camera = view.camera;
         let corners = objects[object].solid.hull();
         let depths = corners.map(|corner| (corner - camera.eye).dot(camera.forward));
         let error = corners.iter().map(|&corner| blur.at(corner)).fold(0.0, f64::max);
         let [nearest, farthest] = depths
             .iter()
             .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], &depth| [low.min(depth), high.max(depth)]);
-        let projection = Projection::new(camera, &corners, blur);
-        let is_seen = farthest >= -error && projection.meets(&Projection { low: -half, high: half });
+        let projection = Projection::new(view, &corners, blur);
+        let picture = Projection { low: -half, high: half, slides: [0.0; 2] };
+        let is_seen = farthest >= -error && projection.slid_all_ways(view.radius()).meets(&picture);
         is_seen.then_some(Self { projection, depth: nearest - error, object })
     }
 }
@@ -44,6 +46,8 @@ pub struct Sight {
     cells_per_unit: DVec2,
     columns: usize,
     rows: usize,
+    /// The radius of the lens that is looked through; 0 for a pinhole.
+    radius: f64,
     /// The nearest first.
     candidates: Vec<Candidate>,
     /// Where each cell's list begins, and where the last one's ends.
@@ -65,16 +69,16 @@ const ENTRIES_PER_OBJECT: usize = 64;
 impl Sight {
     /// The grid over the rectangle from −`half` to `half`, with the bounded objects in it.
     #[must_use]
-    pub fn new(camera: &Camera, half: DVec2, objects: &[Object], bounded: &[usize], blur: Blur) -> Self {
+    pub fn new(view: View, half: DVec2, objects: &[Object], bounded: &[usize], blur: Blur) -> Self {
         let mut candidates: Vec<Candidate> =
-            bounded.iter().filter_map(|&object| Candidate::new(camera, half, objects, object, blur)).collect();
+            bounded.iter().filter_map(|&object| Candidate::new(view, half, objects, object, blur)).collect();
         candidates.sort_by(|a, b| a.depth.total_cmp(&b.depth));
         let most = ENTRIES_PER_OBJECT * bounded.len() + CELLS[0];
         let mut wanted = (candidates.len() * CELLS_PER_OBJECT).clamp(CELLS[0], CELLS[1]);
-        let mut sight = Self::empty(half, wanted, candidates);
+        let mut sight = Self::empty(half, wanted, candidates, view.radius());
         while wanted > 1 && sight.entries() > most {
             wanted /= 4;
-            sight = Self::empty(half, wanted, sight.candidates);
+            sight = Self::empty(half, wanted, sight.candidates, view.radius());
         }
         sight.fill();
         sight
@@ -84,24 +88,38 @@ impl Sight {
     #[must_use]
     #[inline]
     pub fn at(&self, place: [f64; 2]) -> Option<impl Iterator<Item = &Candidate>> {
+        Some(self.in_cell(place)?.filter(move |seen| seen.projection.holds(place)))
+    }
+
+    /// The same from a point of a lens.
+    #[must_use]
+    #[inline]
+    pub fn through_lens(&self, place: [f64; 2], on_lens: [f64; 2]) -> Option<impl Iterator<Item = &Candidate>> {
+        Some(self.in_cell(place)?.filter(move |seen| seen.projection.slid(on_lens).holds(place)))
+    }
+
+    /// The candidates in the cell of a place.
+    #[inline]
+    fn in_cell(&self, place: [f64; 2]) -> Option<impl Iterator<Item = &Candidate>> {
         let [column, row] = self.cell(DVec2::from_array(place));
         if !(column >= 0.0 && row >= 0.0 && column <= self.columns as f64 && row <= self.rows as f64) {
             return None;
         }
         let cell = Self::index(column, self.columns) + Self::index(row, self.rows) * self.columns;
         let list = &self.lists[self.starts[cell] as usize..self.starts[cell + 1] as usize];
-        Some(list.iter().map(|&k| &self.candidates[k as usize]).filter(move |seen| seen.projection.holds(place)))
+        Some(list.iter().map(|&k| &self.candidates[k as usize]))
     }
 
     /// About so many cells, none of them filled.
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 1 and the most cells")]
-    fn empty(half: DVec2, wanted: usize, candidates: Vec<Candidate>) -> Self {
+    fn empty(half: DVec2, wanted: usize, candidates: Vec<Candidate>, radius: f64) -> Self {
         let wanted = wanted as f64;
         let columns = (wanted * half.x / half.y).sqrt().clamp(1.0, wanted).round();
         let rows = (wanted / columns).max(1.0).round();
         let cells_per_unit = DVec2::new(columns, rows) / (2.0 * half);
         let (columns, rows) = (columns as usize, rows as usize);
-        Self { low: -half, cells_per_unit, columns, rows, candidates, starts: Vec::new(), lists: Vec::new() }
+        let (starts, lists) = (Vec::new(), Vec::new());
+        Self { low: -half, cells_per_unit, columns, rows, radius, candidates, starts, lists }
     }
 
     /// A place in units of cells.
@@ -117,6 +135,7 @@ impl Sight {
     /// The first and last column and row that a rectangle overlaps. Rounding cannot lose one: a place is taken to its cell
     /// by the same sum, which is monotonic.
     fn overlapped(&self, projection: &Projection) -> [[usize; 2]; 2] {
+        let projection = projection.slid_all_ways(self.radius);
         let (low, high) = (self.cell(projection.low), self.cell(projection.high));
         let range = |axis: usize, count| [Self::index(low[axis], count), Self::index(high[axis], count)];
         [range(0, self.columns), range(1, self.rows)]
@@ -180,7 +199,10 @@ impl LightSight {
         });
         let reach = size * REACH;
         let blur = Blur { skew, reach };
-        let face = |k: usize| Sight::new(&face(position, k), DVec2::ONE, objects, bounded, blur);
+        let face = |k: usize| {
+            let camera = face(position, k);
+            Sight::new(View { camera: &camera, lens: None }, DVec2::ONE, objects, bounded, blur)
+        };
         Self { position, faces: std::array::from_fn(face), reach }
     }
 
@@ -221,14 +243,15 @@ impl Sights {
     #[must_use]
     pub fn new(scene: &Scene) -> Self {
         let index = &scene.index;
-        let blur = Blur { skew: index.skew, reach: scene.camera.eye.abs().max_element() };
+        let view = View { camera: &scene.camera, lens: scene.lens.as_deref() };
+        let blur = Blur { skew: index.skew, reach: view.reach() };
         let half = DVec2::from(scene.camera.half_size(scene.image));
         let of_light = |light: &Light| match light.kind {
             LightKind::Point(position) => Some(LightSight::new(position, &scene.objects, &index.bounded, index.skew)),
             LightKind::Directional(_) | LightKind::Area(_) => None,
         };
         Self {
-            eye: Sight::new(&scene.camera, half, &scene.objects, &index.bounded, blur),
+            eye: Sight::new(view, half, &scene.objects, &index.bounded, blur),
             lights: scene.lights.iter().map(of_light).collect(),
         }
     }

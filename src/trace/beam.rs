@@ -44,8 +44,21 @@ impl Beam {
     #[must_use]
     pub fn through_pixel(camera: &Camera, image: Image, x: u32, y: u32) -> Self {
         let [left, top] = [x, y].map(f64::from);
-        let corners = [[left, top], [left + 1.0, top], [left + 1.0, top + 1.0], [left, top + 1.0]];
+        Self::through_square(camera, image, [left, top], 1.0)
+    }
+
+    /// The beam from the eye through a square of the picture, by its top left corner and its side in pixels.
+    #[must_use]
+    pub fn through_square(camera: &Camera, image: Image, [left, top]: [f64; 2], side: f64) -> Self {
+        let [right, bottom] = [left + side, top + side];
+        let corners = [[left, top], [right, top], [right, bottom], [left, bottom]];
         Self { corners: corners.map(|[x, y]| [camera.eye, camera.ray_direction(image, x, y)]) }
+    }
+
+    /// The beam with all of its rays changed.
+    #[must_use]
+    pub(super) fn map(self, change: impl Fn([DVec3; 2]) -> [DVec3; 2]) -> Self {
+        Self { corners: self.corners.map(change) }
     }
 
     /// The directions alone.

@@ -4,7 +4,7 @@ use super::departure::Ahead;
 use super::ray::{Ray, Tracer};
 use crate::csg::{Boundary, Course, Extent, IntervalList, Leaf};
 use crate::record::{Effect, Entry, Recorder, Sense, Value, What};
-use crate::scene::{Detail, Material, Projection};
+use crate::scene::{Detail, Glance, Material, Projection};
 use crate::shape::Primitive;
 use glam::{DVec2, DVec3};
 
@@ -140,26 +140,26 @@ impl Tracer<'_> {
     /// Whether a ray from the eye may see the object, by its rectangle in the picture.
     fn is_in_sight(&self, index: usize, ray: &Ray, recorder: &mut impl Recorder) -> bool {
         let projection = &self.scene.index.projections[index];
-        let Some(place) =
+        let Some(glance) =
             ray.place.filter(|_| self.scene.shortcuts.projections && *projection != Projection::EVERYWHERE)
         else {
             return true;
         };
-        let holds = projection.holds(place);
-        recorder.note(|| self.describe_projection(index, place, holds));
+        let holds = projection.holds_glance(glance);
+        recorder.note(|| self.describe_projection(index, glance, holds));
         holds
     }
 
-    fn describe_projection(&self, index: usize, place: [f64; 2], holds: bool) -> Entry {
+    fn describe_projection(&self, index: usize, glance: Glance, holds: bool) -> Entry {
         let (camera, image) = (&self.scene.camera, self.scene.image);
-        let projection = &self.scene.index.projections[index];
+        let projection = self.scene.index.projections[index].slid(glance.on_lens.unwrap_or_default());
         let [left, bottom] = camera.pixel_at(image, projection.low.to_array());
         let [right, top] = camera.pixel_at(image, projection.high.to_array());
         Entry::new(What::Projection {
             of: self.scene.objects[index].name.clone(),
             low: [left, top],
             high: [right, bottom],
-            at: camera.pixel_at(image, place),
+            at: camera.pixel_at(image, glance.place),
             holds,
         })
     }
@@ -218,6 +218,7 @@ impl Tracer<'_> {
         let (material, detail) = self.material_at(object, &boundary, point);
         let surface = Surface { object, boundary, sense, material, point, n_geometric, n_shading };
         recorder.note(|| self.describe_hit(ray, &surface));
+        self.note_confusion(ray, &surface, recorder);
         if let Some((detail, place)) = detail {
             Self::enter(Effect::Details, recorder);
             recorder.note(|| self.describe_detail(&surface, detail, place));

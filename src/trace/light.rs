@@ -66,9 +66,10 @@ impl Tracer<'_> {
     fn light<R: Recorder>(&self, place: &Shaded, index: usize, recorder: &mut R) -> [Rgb; 2] {
         recorder.begin();
         let light = &self.scene.lights[index];
-        // A light whose size is not called for is as good as its middle.
-        let way = Way::new(&self.scene.lights, index, place.surface.point, MIDDLE);
-        let way = Way { effect: Effect::Shadows, ..way };
+        let way = match light.kind {
+            LightKind::Area(area) => Way::to_point(index, area.middle() - place.surface.point, Effect::Shadows),
+            _ => Way::new(&self.scene.lights, index, place.surface.point, MIDDLE),
+        };
         let terms = self.terms(place, &way, recorder);
         recorder.end(|| {
             let distance = matches!(light.kind, LightKind::Point(_)).then(|| way.direction.length());

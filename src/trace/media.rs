@@ -36,7 +36,8 @@ impl Tracer<'_> {
     /// The transparent objects that the eye is inside, in the order in which a ray from far behind it entered them.
     pub(super) fn media_around(&self, eye: DVec3, direction: DVec3) -> MediaStack {
         let index = &self.scene.index;
-        let candidates = if eye == self.scene.camera.eye { &index.around_the_eye } else { &index.transparent };
+        let is_eye = eye.distance(self.scene.camera.eye) <= index.eye_reach;
+        let candidates = if is_eye { &index.around_the_eye } else { &index.transparent };
         if candidates.is_empty() {
             return MediaStack::default();
         }

@@ -11,7 +11,7 @@ use super::ray::{Ray, Tracer};
 use super::shadow::Shade;
 use crate::csg::{Boundary, Course};
 use crate::record::{Recorder, Sense};
-use crate::scene::Candidate;
+use crate::scene::{Candidate, Glance};
 
 impl Tracer<'_> {
     /// The closest boundary in front of the ray's start.
@@ -79,13 +79,14 @@ impl Tracer<'_> {
         for object in departed.into_iter().chain(others) {
             limit = limit.min(ask(object, false));
         }
-        if let Some(candidates) = self.seen_from_the_eye(ray) {
-            for candidate in candidates {
-                if candidate.depth > limit {
-                    break;
-                }
+        let seen_from_the_eye = |candidate: &Candidate| {
+            let is_before = candidate.depth <= limit;
+            if is_before {
                 limit = limit.min(ask(candidate.object, true));
             }
+            is_before
+        };
+        if self.ask_what_is_seen(ray, seen_from_the_eye) {
         } else if self.scene.shortcuts.hierarchy {
             index.hierarchy.walk(course, limit, |item, limit| {
                 let object = index.bounded[item];
@@ -99,15 +100,20 @@ impl Tracer<'_> {
         }
     }
 
-    /// The objects that a ray from the eye may meet, the nearest first. Along such a ray t is the depth.
-    fn seen_from_the_eye(&self, ray: &Ray) -> Option<impl Iterator<Item = &Candidate>> {
-        self.sights?.eye.at(ray.place?)
+    /// Shows the objects that a ray from the eye may meet to `ask`, the nearest first, for as long as it wants to see more.
+    /// Along such a ray t is the depth. Returns whether it is known what the ray may meet.
+    fn ask_what_is_seen(&self, ray: &Ray, ask: impl FnMut(&Candidate) -> bool) -> bool {
+        let (Some(sights), Some(Glance { place, on_lens })) = (self.sights, ray.place) else { return false };
+        match on_lens {
+            None => ask_while(sights.eye.at(place), ask),
+            Some(on_lens) => ask_while(sights.eye.through_lens(place, on_lens), ask),
+        }
     }
 
     /// Whether the object may be seen in the direction of a ray from the eye.
     fn is_projected(&self, ray: &Ray, object: usize) -> bool {
         !self.scene.shortcuts.projections
-            || ray.place.is_none_or(|place| self.scene.index.projections[object].holds(place))
+            || ray.place.is_none_or(|glance| self.scene.index.projections[object].holds_glance(glance))
     }
 
     /// The object's first boundary that counts.
@@ -163,4 +169,15 @@ impl Tracer<'_> {
             if is_met { solid.inside_within(course, recorder) } else { solid.inside_along::<f64>(course, recorder) };
         ray.ahead(object, self.scene, &list)
     }
+}
+
+/// Shows candidates to `ask` until it has seen enough; whether there is a list of them.
+fn ask_while<'a>(
+    candidates: Option<impl Iterator<Item = &'a Candidate>>,
+    ask: impl FnMut(&'a Candidate) -> bool,
+) -> bool {
+    candidates.is_some_and(|mut candidates| {
+        let _ = candidates.all(ask);
+        true
+    })
 }

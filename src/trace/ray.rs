@@ -8,7 +8,7 @@ use crate::csg::{Course, IntervalList, Solid};
 use crate::optics::MediaStack;
 use crate::record::{Counter, Effect, Entry, NullRecorder, RayKind, Recorder, What};
 use crate::sample::Stream;
-use crate::scene::{Rgb, Scene, Shortcuts, Sights};
+use crate::scene::{Glance, Rgb, Scene, Shortcuts, Sights};
 use glam::DVec3;
 
 /// A ray P(t) = origin + direction t in world space.
@@ -30,8 +30,8 @@ pub struct Ray {
     pub departure: Option<Departure>,
     /// The transparent objects that it is inside.
     pub media: MediaStack,
-    /// Where it passes the image plane at distance 1, across and upwards from its middle, if it comes from the eye.
-    pub place: Option<[f64; 2]>,
+    /// Where it passes the image plane, if it comes from the eye.
+    pub place: Option<Glance>,
     /// The rays through its pixel's corners, where the scene calls for them.
     pub beam: Option<Box<Beam>>,
     /// The one wavelength that it has, in nanometres, once it has met a dispersive surface; none for light of all of them.
@@ -266,10 +266,15 @@ pub(super) const STEPS: [&str; 6] = [
     "Place the colour in the pixel",
 ];
 
+/// One of the six steps, by its number.
+pub(super) fn describe_step(number: u8) -> What {
+    What::Step { number, title: STEPS[usize::from(number) - 1].to_owned() }
+}
+
 /// Runs one of the six steps. For the camera ray the step is an event of its own, the first level of a pixel's tree.
 pub(super) fn step<R: Recorder, T>(ray: &Ray, number: u8, recorder: &mut R, work: impl FnOnce(&mut R) -> T) -> T {
     if R::RECORDING && ray.kind == RayKind::Camera {
-        recorder.event(work, |_| Entry::new(What::Step { number, title: STEPS[usize::from(number) - 1].to_owned() }))
+        recorder.event(work, |_| Entry::new(describe_step(number)))
     } else {
         work(recorder)
     }

@@ -11,7 +11,7 @@ use super::shadow::{Start, Way};
 use crate::optics::{Flight, HenyeyGreenstein, Walk, one_less_exp};
 use crate::record::{self, Counter, Effect, Entry, RayKind, Recorder, What};
 use crate::sample::Purpose;
-use crate::scene::{ALL_EFFECTS, Rgb};
+use crate::scene::Rgb;
 use glam::DVec3;
 use std::f64::consts::PI;
 
@@ -49,7 +49,7 @@ impl Tracer<'_> {
         recorder: &mut R,
     ) -> Turned {
         let unturned = Turned { passes: transmittance, scattered: Rgb::ZERO, budget: ray.budget };
-        if !(ALL_EFFECTS && self.scene.effects.has(Effect::Scattering)) {
+        if !self.calls_for(Effect::Scattering) {
             return unturned;
         }
         let medium = stretch.filling.medium;
@@ -57,7 +57,7 @@ impl Tracer<'_> {
         if !may_turn || stretch.length == 0.0 {
             return unturned;
         }
-        recorder.count(Counter::Call(Effect::Scattering));
+        Self::enter(Effect::Scattering, recorder);
         let chance = ray.stream.number(Purpose::Distance);
         if ray.turns == 0 {
             let flight = medium.turned_within(stretch.length, ray.tint, chance);

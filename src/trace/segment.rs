@@ -5,8 +5,8 @@ use super::ray::{Ray, Tracer};
 use super::scatter::Turned;
 use crate::csg::Boundary;
 use crate::optics::{MediaStack, Medium};
-use crate::record::{self, Counter, Effect, Entry, NullRecorder, Recorder, Sense, What};
-use crate::scene::{ALL_EFFECTS, Rgb};
+use crate::record::{self, Effect, Entry, NullRecorder, Recorder, Sense, What};
+use crate::scene::Rgb;
 use glam::DVec3;
 
 /// What fills the space that a ray travels through.
@@ -41,7 +41,7 @@ impl<'a> Stretch<'a> {
 impl<'a> Tracer<'a> {
     /// The medium that the ray travels in, where it takes light away.
     pub(super) fn filling(&self, ray: &Ray) -> Option<Filling<'a>> {
-        if !(ALL_EFFECTS && self.scene.effects.has(Effect::Attenuation)) {
+        if !self.calls_for(Effect::Attenuation) {
             return None;
         }
         self.filling_of(self.current_medium(&ray.media)?)
@@ -61,7 +61,7 @@ impl<'a> Tracer<'a> {
         surface: Option<&mut Surface>,
         recorder: &mut R,
     ) -> Rgb {
-        recorder.count(Counter::Call(Effect::Attenuation));
+        Self::enter(Effect::Attenuation, recorder);
         let end = surface.as_ref().map_or(f64::INFINITY, |surface| surface.boundary.t);
         let stretch = Stretch::new(*filling, ray, [0.0, end]);
         recorder.note(|| self.describe_segment(ray, &stretch));
@@ -80,10 +80,10 @@ impl<'a> Tracer<'a> {
 
     /// The share of a light at `limit` that the media along a shadow ray let through, by colour.
     pub(super) fn clearness<R: Recorder>(&self, shadow: &Ray, limit: f64, recorder: &mut R) -> Rgb {
-        if !(ALL_EFFECTS && self.scene.effects.has(Effect::Attenuation)) {
+        if !self.calls_for(Effect::Attenuation) {
             return Rgb::ONE;
         }
-        recorder.count(Counter::Call(Effect::Attenuation));
+        Self::enter(Effect::Attenuation, recorder);
         let mut media = shadow.media.clone();
         let mut clearness = Rgb::ONE;
         let mut from = 0.0;

@@ -43,7 +43,8 @@ impl Way {
         }
     }
 
-    fn to_point(light: usize, direction: DVec3, effect: Effect) -> Self {
+    /// The way to a point of a light, from the point that is lit.
+    pub fn to_point(light: usize, direction: DVec3, effect: Effect) -> Self {
         Self { direction, towards: direction.normalize_or_zero(), limit: 1.0, light, effect }
     }
 }

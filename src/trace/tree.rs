@@ -126,7 +126,8 @@ impl Recorder for TreeRecorder {
     const RECORDING: bool = true;
 
     fn begin(&mut self) {
-        if self.events.len() >= MOST_EVENTS {
+        // The first level says what came out, however little of the rest is kept.
+        if self.events.len() >= MOST_EVENTS && self.open.len() > 1 {
             self.left_out += 1;
             self.open.push(None);
             return;
