@@ -146,10 +146,14 @@ fn blocks_side_by_side_are_passed_as_one_where_they_touch() {
     let blocks = load(text, "a test").unwrap_or_else(|errors| panic!("{errors}"));
     for slant in [0.0, 0.1, 0.37] {
         let tree = record_ray(&blocks, DVec3::new(-5.0, 0.1, -0.2), DVec3::new(1.0, 0.0, slant * 0.2));
-        let media: Vec<String> = tree.events.iter().filter_map(|event| match &event.what {
-            What::Medium { before, after, .. } => Some(format!("{before} {after}")),
-            _ => None,
-        }).collect();
+        let media: Vec<String> = tree
+            .events
+            .iter()
+            .filter_map(|event| match &event.what {
+                What::Medium { before, after, .. } => Some(format!("{before} {after}")),
+                _ => None,
+            })
+            .collect();
         assert_eq!(media[..3], ["air left", "left right", "right air"], "slant {slant}: {media:?}");
     }
 }

@@ -50,8 +50,7 @@ fn assert_near(found: Rgb, expected: Rgb, bound: f64, what: &str) {
 
 #[test]
 fn a_slab_leaves_what_the_law_says_at_every_angle() {
-    let slab =
-        absorbing(r#"{ "shape": "cube", "material": "fill", "transform": [{ "scale": [1000, 1000, 0.75] }] }"#);
+    let slab = absorbing(r#"{ "shape": "cube", "material": "fill", "transform": [{ "scale": [1000, 1000, 0.75] }] }"#);
     for across in [0.0, 0.3, 1.0, 4.0] {
         let direction = DVec3::new(across, -0.5 * across, -2.0);
         let length = 1.5 * direction.length() / 2.0;
@@ -222,9 +221,8 @@ fn colours_that_are_turned_at_other_distances_stay_right_on_the_mean() {
 fn fog_that_absorbs_nothing_loses_no_light() {
     let ball = r#"{ "shape": "sphere", "material": "fill" }"#;
     for (rate, anisotropy) in [(0.5, 0.0), (2.0, 0.7), (2.0, -0.5)] {
-        let medium = format!(
-            r#"{{ "scattering": [{rate}, {rate}, {rate}], "anisotropy": {anisotropy}, "multiple": true }}"#
-        );
+        let medium =
+            format!(r#"{{ "scattering": [{rate}, {rate}, {rate}], "anisotropy": {anisotropy}, "multiple": true }}"#);
         let fog = scene(&medium, "", ball);
         let (found, error) = mean(&fog, DVec3::new(0.2, 0.1, 3.0), DVec3::NEG_Z, 2000);
         // All weights are 1: only a path that is turned more than 64 times is lost, which for these balls none is.

@@ -51,8 +51,7 @@ impl Medium {
         let (colour, share) = chosen(odds, chance);
         let all = |rate: f64| one_less_exp(rate * length);
         let rate = rates[colour];
-        let distance =
-            if rate == 0.0 { share * length } else { (-log_one_less(share * all(rate)) / rate).min(length) };
+        let distance = if rate == 0.0 { share * length } else { (-log_one_less(share * all(rate)) / rate).min(length) };
         let densities = rates.map(|rate| match rate == 0.0 {
             true if length.is_finite() => 1.0 / length,
             true => 0.0,

@@ -59,7 +59,15 @@ mod tests {
     fn integral(f: impl Fn(f64) -> f64) -> f64 {
         const STEPS: u32 = 200_000;
         let h = 2.0 / f64::from(STEPS);
-        let weight = |i: u32| if i == 0 || i == STEPS { 1.0 } else if i % 2 == 1 { 4.0 } else { 2.0 };
+        let weight = |i: u32| {
+            if i == 0 || i == STEPS {
+                1.0
+            } else if i % 2 == 1 {
+                4.0
+            } else {
+                2.0
+            }
+        };
         (0..=STEPS).map(|i| weight(i) * f(-1.0 + h * f64::from(i))).sum::<f64>() * h / 3.0
     }
 

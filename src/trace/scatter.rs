@@ -106,7 +106,11 @@ impl Tracer<'_> {
     fn from_light<R: Recorder>(&self, turn: &Turn, index: usize, recorder: &mut R) -> Rgb {
         recorder.begin();
         let light = &self.scene.lights[index];
-        let place = turn.ray.stream.branch(RayKind::Scattered as u32).square(Purpose::Light(u32::try_from(index).unwrap_or(u32::MAX)));
+        let place = turn
+            .ray
+            .stream
+            .branch(RayKind::Scattered as u32)
+            .square(Purpose::Light(u32::try_from(index).unwrap_or(u32::MAX)));
         let way = Way::new(&self.scene.lights, index, turn.point, place);
         let start = Start { ray: turn.ray, origin: turn.point, departure: None };
         let arriving = light.colour * self.arriving(&start, &way, recorder);

@@ -119,7 +119,8 @@ impl<'a> Tracer<'a> {
             let list = solid.inside_along::<f64>(&course, &mut NullRecorder);
             let ahead = ray.ahead(object, self.scene, &list).list;
             let bounds = ahead.boundaries().into_iter().filter(|(boundary, _)| boundary.t < limit);
-            crossed.extend(bounds.map(|(boundary, sense)| (object, boundary, sense)).filter(|end| end.2 != Sense::Touch));
+            crossed
+                .extend(bounds.map(|(boundary, sense)| (object, boundary, sense)).filter(|end| end.2 != Sense::Touch));
         }
         // What is left is left before anything is entered in the same place.
         let key = |(object, boundary, sense): &(usize, Boundary, Sense)| (boundary.t, *sense == Sense::Enter, *object);
@@ -158,7 +159,11 @@ impl<'a> Tracer<'a> {
         let [passes, behind, scattered, colour] = [passes, behind, scattered, colour].map(|rgb| rgb.to_array());
         let medium = self.scene.objects[filling.object].name.clone();
         let bindings = [("T", passes.into()), ("I_end", behind.into()), ("I_way", scattered.into())];
-        Entry::new(What::Passage(record::Passage { medium, behind, passes, scattered, colour }))
-            .line("I", "T I_end + I_way", &bindings, colour)
+        Entry::new(What::Passage(record::Passage { medium, behind, passes, scattered, colour })).line(
+            "I",
+            "T I_end + I_way",
+            &bindings,
+            colour,
+        )
     }
 }

@@ -4,8 +4,8 @@ use super::detail::{DetailLine, pair};
 use super::format::{degrees, vector};
 use super::texture_row::place;
 use crate::record::{
-    Average, Conductor, Confusion, Lens, LightSample, Overlap, Passage, Phase, Sample, Scatter, Segment, Wavelength, What,
-    format_number,
+    Average, Conductor, Confusion, Lens, LightSample, Overlap, Passage, Phase, Sample, Scatter, Segment, Wavelength,
+    What, format_number,
 };
 
 /// The lines of an event of this kind.

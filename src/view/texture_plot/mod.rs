@@ -1,5 +1,5 @@
 //! What a surface carries as a drawing: the pixel on the texels, a lattice cell, octaves, a spline, rings, a bump, a frame,
-//! the environment, a detail.
+//! the environment, a detail; and what a medium does to a ray.
 //!
 //! One file for each kind of event, all of one signature: a [`Sheet`] and what the event holds.
 
@@ -8,8 +8,10 @@ mod chart;
 mod clip;
 mod detail;
 mod environment;
+mod fading;
 mod frame_map;
 mod lattice;
+mod lobe;
 mod octaves;
 mod picture;
 mod rings;
@@ -26,7 +28,7 @@ use crate::record::{EventId, What};
 use crate::scene::Scene;
 use crate::trace::RayTree;
 use sheet::Sheet;
-use telling::{footprint_of, point_of, telling};
+use telling::{footprint_of, phases_of, point_of, telling, turned_on};
 
 /// The drawing of a look-up, bump, frame or detail: that of `selected` itself, or of the most telling one that belongs to
 /// it (to a texture: what is below it; to a hit: what its surface carries). Where the scene is given, the image of its
@@ -54,6 +56,8 @@ pub fn texture_plot(
             environment::draw(&mut sheet, environment, image);
         }
         What::Detail(detail) => detail::draw(&mut sheet, detail),
+        What::Segment(segment) => fading::draw(&mut sheet, segment, &turned_on(tree, event)),
+        What::Scatter(_) | What::Phase(_) => lobe::draw(&mut sheet, &phases_of(tree, event)),
         _ => return None,
     }
     Some(sheet.drawing)

@@ -1,6 +1,6 @@
 //! Which event is drawn for the one that is selected, and what else its drawing needs.
 
-use crate::record::{Environment, EventId, Mapping, Texels, Texture, Triple, What};
+use crate::record::{Environment, Event, EventId, Mapping, Phase, Texels, Texture, Triple, What};
 use crate::trace::RayTree;
 
 /// The event that tells most about `selected`: itself if it has a drawing, else the best of those that belong to it.
@@ -56,6 +56,9 @@ const fn rank(what: &What) -> Option<u8> {
         What::FrameMap(_) => 7,
         What::Detail(_) => 8,
         What::Environment(_) => 9,
+        What::Segment(_) => 10,
+        What::Scatter(_) => 11,
+        What::Phase(_) => 12,
         _ => return None,
     })
 }
@@ -64,6 +67,31 @@ const fn rank(what: &What) -> Option<u8> {
 fn ray_above(tree: &RayTree, id: EventId) -> EventId {
     let mut above = tree.path(id).into_iter().rev();
     above.find(|&id| matches!(tree.event(id).what, What::Ray { .. })).unwrap_or(0)
+}
+
+/// How far along the ray light is turned on a stretch in a medium: at the points told beside it.
+pub(super) fn turned_on(tree: &RayTree, segment: EventId) -> Vec<f64> {
+    let Some(parent) = tree.event(segment).parent else { return Vec::new() };
+    let later = tree.children(parent).filter(|event| event.id > segment);
+    // The next stretch, or what comes out of this one, ends it.
+    let own = later.take_while(|event| !matches!(event.what, What::Segment(_) | What::Passage(_)));
+    let distances = own.filter_map(|event| match &event.what {
+        What::Scatter(scatter) => Some(scatter.distance),
+        _ => None,
+    });
+    distances.collect()
+}
+
+/// Every angle that the phase function was asked for at a point: for a point those below it, for one of them that alone.
+pub(super) fn phases_of<'t>(tree: &'t RayTree, id: EventId) -> Vec<&'t Phase> {
+    let phase = |event: &'t Event| match &event.what {
+        What::Phase(phase) => Some(phase),
+        _ => None,
+    };
+    match phase(tree.event(id)) {
+        Some(own) => vec![own],
+        None => tree.children(id).filter_map(phase).collect(),
+    }
 }
 
 /// What the drawing of texels needs, from as many events as there are.

@@ -3,6 +3,7 @@
 use super::*;
 use crate::record::Triple;
 use crate::view::sample::{Sketch, every_kind};
+use crate::view::sample_effects;
 use crate::view::sample_texture as sample;
 use crate::view::{Form, Frame, Spot, Text};
 
@@ -37,6 +38,8 @@ fn all() -> Vec<(&'static str, What)> {
         ("bump", What::Bump(sample::bump())),
         ("frame_map", What::FrameMap(sample::frame_map())),
         ("environment", What::Environment(sample::environment())),
+        ("segment", What::Segment(sample_effects::segment())),
+        ("phase", What::Phase(sample_effects::phase())),
     ]
 }
 
@@ -120,7 +123,13 @@ fn spoiled(by: f64) -> Vec<What> {
     (frame.after[0], frame.roughness) = (triple, pair);
     let mut environment = sample::environment();
     (environment.at, environment.footprint[2], environment.size) = (pair, pair, [0, u32::MAX]);
+    let mut segment = sample_effects::segment();
+    (segment.length, segment.absorption, segment.transmittance) = (by, triple, triple);
+    let mut phase = sample_effects::phase();
+    (phase.anisotropy, phase.cosine, phase.value) = (by, -by, by);
     vec![
+        What::Segment(segment),
+        What::Phase(phase),
         What::Detail(detail),
         What::Mapping(mapping),
         What::Texels(texels),
