@@ -98,7 +98,7 @@ impl Extent {
     /// Whether it holds a point, or would if it were wider by `slack` on all sides.
     #[must_use]
     pub fn holds_nearly(&self, point: DVec3, slack: f64) -> bool {
-        (self.low - slack).cmple(point).all() && point.cmple(self.high + slack).all()
+        self.grown(slack).holds(point)
     }
 
     /// Whether some point is in both.

@@ -1,8 +1,8 @@
 //! How far light comes in a medium before it is turned, by chance.
 //!
 //! The three colours may be turned after different ways. One number then chooses a colour and a distance that suits it,
-//! and the result counts by the mean of the three densities (the balance heuristic), so that no colour is counted more
-//! than is expected, however little the distance suits it.
+//! and the result counts by the mean of the three densities (the balance heuristic). A colour is chosen in proportion to
+//! what the path still counts in it: so the sum of what it counts in all three never grows, however often it is turned.
 //!
 //! Source: E. Veach, *Robust Monte Carlo methods for light transport simulation*, thesis, Stanford 1997, § 9.2.2; for media A. Wilkie
 //! and others, *Hero wavelength spectral sampling*, Computer Graphics Forum 33 (2014).
@@ -20,6 +20,8 @@ pub struct Flight {
     pub density: f64,
     /// The densities by colour.
     pub densities: DVec3,
+    /// The probabilities with which the colours are chosen.
+    pub odds: DVec3,
     /// σ_s exp(−σ_t distance) / density.
     pub weight: DVec3,
     /// The colour that chose the distance: 0, 1 or 2.
@@ -39,13 +41,14 @@ pub enum Walk {
 
 impl Medium {
     /// A place on a way of this length (which may have no end) where light is turned, for a number in [0, 1). The density is that of
-    /// the exponential distribution, cut off where the way ends.
+    /// the exponential distribution, cut off where the way ends. `tint` is what the path counts by colour, up to a factor.
     #[must_use]
-    pub fn turned_within(&self, length: f64, chance: f64) -> Flight {
+    pub fn turned_within(&self, length: f64, tint: DVec3, chance: f64) -> Flight {
         let rates = self.extinction();
         // On a way without end there is no even spread for a colour that is never turned.
-        let has_density = |rate: f64| rate > 0.0 || length.is_finite();
-        let (colour, share) = chosen(rates, has_density, chance);
+        let has_density = rates.map(|rate| f64::from(rate > 0.0 || length.is_finite()));
+        let odds = odds(rates, tint * has_density, has_density);
+        let (colour, share) = chosen(odds, chance);
         let all = |rate: f64| one_less_exp(rate * length);
         let rate = rates[colour];
         let distance = if rate == 0.0 { share * length } else { (-log_one_less(share * all(rate)) / rate).min(length) };
@@ -54,49 +57,56 @@ impl Medium {
             true => 0.0,
             false => rate * exp(-rate * distance) / all(rate),
         });
-        let density = mean(densities, has_density, rates);
-        let weight = self.scattering * self.transmittance(distance) / density;
-        Flight { distance, density, densities, weight, colour, share }
+        self.flight(distance, densities, odds, (colour, share))
     }
 
     /// Whether a path goes all of its way of this length or is turned before, and where, for a number in [0, 1).
     #[must_use]
-    pub fn walk(&self, length: f64, chance: f64) -> Walk {
+    pub fn walk(&self, length: f64, tint: DVec3, chance: f64) -> Walk {
         let rates = self.extinction();
-        let (colour, share) = chosen(rates, |_| true, chance);
+        let odds = odds(rates, tint, DVec3::ONE);
+        let (colour, share) = chosen(odds, chance);
         let rate = rates[colour];
         let distance = if rate == 0.0 { f64::INFINITY } else { -log_one_less(share) / rate };
         if distance >= length {
             let left = self.transmittance(length);
-            return Walk::Through(left / mean(left, |_| true, rates));
+            return Walk::Through(left / odds.dot(left));
         }
         let densities = rates.map(|rate| rate * exp(-rate * distance));
-        let density = mean(densities, |_| true, rates);
+        Walk::Turned(self.flight(distance, densities, odds, (colour, share)))
+    }
+
+    fn flight(&self, distance: f64, densities: DVec3, odds: DVec3, (colour, share): (usize, f64)) -> Flight {
+        let density = odds.dot(densities);
         let weight = self.scattering * self.transmittance(distance) / density;
-        Walk::Turned(Flight { distance, density, densities, weight, colour, share })
+        Flight { distance, density, densities, odds, weight, colour, share }
     }
 }
 
-/// Chooses among the colours that count, and returns what is left of the number for the distance. Where all colours are alike
+/// The probabilities of the colours: in proportion to `wanted`, or to `possible` where nothing is wanted. Where all rates are alike
 /// there is nothing to choose.
-fn chosen(rates: DVec3, counts: impl Fn(f64) -> bool, chance: f64) -> (usize, f64) {
+fn odds(rates: DVec3, wanted: DVec3, possible: DVec3) -> DVec3 {
     if rates == DVec3::splat(rates.x) {
-        return (0, chance);
+        return DVec3::X;
     }
-    let colours = (0..3).filter(|&colour| counts(rates[colour]));
-    let scaled = chance * colours.clone().count() as f64;
-    let last = colours.clone().count().saturating_sub(1);
-    let place = (scaled as usize).min(last);
-    (colours.clone().nth(place).unwrap_or(0), scaled - place as f64)
+    let sum = wanted.element_sum();
+    if sum > 0.0 && sum.is_finite() { wanted / sum } else { possible / possible.element_sum() }
 }
 
-/// The mean over the colours that count.
-fn mean(densities: DVec3, counts: impl Fn(f64) -> bool, rates: DVec3) -> f64 {
-    if rates == DVec3::splat(rates.x) {
-        return densities.x;
+/// The colour that a number in [0, 1) falls to, and what is left of the number for the distance.
+fn chosen(odds: DVec3, chance: f64) -> (usize, f64) {
+    /// The largest number below 1.
+    const ALMOST_ONE: f64 = 1.0 - 0.5 * f64::EPSILON;
+    let mut below = 0.0;
+    let mut last = (0, chance);
+    for colour in (0..3).filter(|&colour| odds[colour] > 0.0) {
+        last = (colour, ((chance - below) / odds[colour]).clamp(0.0, ALMOST_ONE));
+        below += odds[colour];
+        if chance < below {
+            break;
+        }
     }
-    let counted = || (0..3).filter(|&colour| counts(rates[colour]));
-    counted().map(|colour| densities[colour]).sum::<f64>() / counted().count() as f64
+    last
 }
 
 /// Below this the differences are worked out by their series: the next terms are smaller than a rounding.
@@ -125,6 +135,8 @@ mod tests {
 
     const GREY: [f64; 3] = [0.25; 3];
     const COLOURED: [f64; 3] = [0.0, 0.5, 4.0];
+    /// What the path counted before.
+    const TINT: DVec3 = DVec3::new(0.5, 1.0, 0.25);
     const EVEN: u32 = 40_000;
 
     /// The mean of f over evenly spread numbers.
@@ -138,7 +150,7 @@ mod tests {
         for (absorption, scattering) in [(GREY, GREY), (COLOURED, GREY), ([0.0; 3], COLOURED), (GREY, COLOURED)] {
             for length in [1e-9, 0.01, 1.0, 30.0, f64::INFINITY] {
                 let fog = medium(absorption, scattering);
-                let found = over_all(|chance| fog.turned_within(length, chance).weight);
+                let found = over_all(|chance| fog.turned_within(length, TINT, chance).weight);
                 let turned = |rate: f64| if rate == 0.0 { 0.0 } else { -(-rate * length).exp_m1() / rate };
                 let expected = fog.scattering * fog.extinction().map(turned);
                 let off = (found - expected).abs();
@@ -153,11 +165,11 @@ mod tests {
         for (absorption, scattering) in [(GREY, GREY), (COLOURED, GREY), ([0.0; 3], COLOURED)] {
             for length in [0.01, 1.0, 30.0] {
                 let fog = medium(absorption, scattering);
-                let through = over_all(|chance| match fog.walk(length, chance) {
+                let through = over_all(|chance| match fog.walk(length, TINT, chance) {
                     Walk::Through(weight) => weight,
                     Walk::Turned(_) => DVec3::ZERO,
                 });
-                let turned = over_all(|chance| match fog.walk(length, chance) {
+                let turned = over_all(|chance| match fog.walk(length, TINT, chance) {
                     Walk::Through(_) => DVec3::ZERO,
                     Walk::Turned(flight) => flight.weight,
                 });
@@ -174,11 +186,23 @@ mod tests {
     fn where_all_colours_are_alike_a_path_is_weighed_by_nothing_but_what_is_absorbed() {
         let fog = medium([0.0; 3], [0.7; 3]);
         for k in 0..100 {
-            let weight = match fog.walk(2.0, f64::from(k) / 100.0) {
+            let weight = match fog.walk(2.0, TINT, f64::from(k) / 100.0) {
                 Walk::Through(weight) => weight,
                 Walk::Turned(flight) => flight.weight,
             };
             assert!((weight - DVec3::ONE).abs().max_element() < 1e-15, "{weight}");
+        }
+    }
+
+    #[test]
+    fn what_a_path_counts_in_all_colours_together_never_grows() {
+        let fog = medium([0.0; 3], COLOURED);
+        for k in 0..1000 {
+            let weight = match fog.walk(1.5, TINT, f64::from(k) / 1000.0) {
+                Walk::Through(weight) => weight,
+                Walk::Turned(flight) => flight.weight,
+            };
+            assert!((TINT * weight).element_sum() <= TINT.element_sum() * (1.0 + 1e-12), "{weight}");
         }
     }
 

@@ -36,7 +36,7 @@ pub struct Scatter {
     pub point: Triple,
     /// The random number in [0, 1) that chose the colour and the distance.
     pub chance: f64,
-    /// The probability density of that distance.
+    /// The probability density of that distance, per unit of length: the mean over the colours.
     pub density: f64,
     /// What the light from this point counts: σ_s exp(−σ_t distance) / density.
     pub weight: Triple,

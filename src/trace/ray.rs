@@ -36,6 +36,8 @@ pub struct Ray {
     pub beam: Option<Box<Beam>>,
     /// The one wavelength that it has, in nanometres, once it has met a dispersive surface; none for light of all of them.
     pub wavelength: Option<f64>,
+    /// What its colour counts, by colour and up to a factor.
+    pub tint: Rgb,
     /// How often its path was turned in a medium.
     pub turns: u32,
     /// Its random numbers.
@@ -67,6 +69,7 @@ impl Ray {
             place,
             beam: None,
             wavelength: None,
+            tint: Rgb::ONE,
             turns: 0,
             stream: Stream::default(),
         }

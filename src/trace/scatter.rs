@@ -60,14 +60,14 @@ impl Tracer<'_> {
         Self::enter(Effect::Scattering, recorder);
         let chance = ray.stream.number(Purpose::Distance);
         if ray.turns == 0 {
-            let flight = medium.turned_within(stretch.length, chance);
+            let flight = medium.turned_within(stretch.length, ray.tint, chance);
             // What lies behind and the path that is turned share what may be spawned.
             let half = ray.budget.checked_sub(1).map(|left| left / 2);
             let budget = if medium.multiple { half.unwrap_or(0) } else { ray.budget };
             let scattered = self.light_from(ray, stretch, flight, chance, half, recorder);
             return Turned { scattered, budget, ..unturned };
         }
-        match medium.walk(stretch.length, chance) {
+        match medium.walk(stretch.length, ray.tint, chance) {
             Walk::Through(passes) => Turned { passes, ..unturned },
             Walk::Turned(flight) => {
                 let left = ray.budget.checked_sub(1);
@@ -143,6 +143,7 @@ impl Tracer<'_> {
             place: None,
             beam: None,
             wavelength: ray.wavelength,
+            tint: ray.tint * flight.weight,
             turns: ray.turns + 1,
             stream: ray.stream.branch(kind as u32),
         };
@@ -178,6 +179,7 @@ impl Tracer<'_> {
             ("σ", rate.into()),
             ("s", flight.distance.into()),
             ("p_rgb", flight.densities.to_array().into()),
+            ("c", flight.odds.to_array().into()),
             ("p_s", flight.density.into()),
             ("σ_a", medium.absorption.to_array().into()),
             ("σ_s", medium.scattering.to_array().into()),
@@ -190,12 +192,10 @@ impl Tracer<'_> {
         } else {
             entry
         };
-        entry.line("w", "σ_s exp(−(σ_a + σ_s) s) / p_s", &bindings, flight.weight.to_array()).line(
-            "I_way",
-            "w J",
-            &bindings,
-            colour.to_array(),
-        )
+        entry
+            .line("p_s", "c · p_rgb", &bindings, flight.density)
+            .line("w", "σ_s exp(−(σ_a + σ_s) s) / p_s", &bindings, flight.weight.to_array())
+            .line("I_way", "w J", &bindings, colour.to_array())
     }
 }
 

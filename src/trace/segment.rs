@@ -70,8 +70,8 @@ impl<'a> Tracer<'a> {
         let behind = if passes == Rgb::ZERO {
             Rgb::ZERO
         } else {
-            let weight = ray.weight * passes.max_element();
-            self.see(&Ray { weight, budget, ..ray.clone() }, surface, recorder)
+            let (weight, tint) = (ray.weight * passes.max_element(), ray.tint * passes);
+            self.see(&Ray { weight, tint, budget, ..ray.clone() }, surface, recorder)
         };
         let colour = passes * behind + scattered;
         recorder.note(|| self.describe_passage(filling, [passes, behind, scattered, colour]));

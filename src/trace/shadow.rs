@@ -95,6 +95,7 @@ impl Tracer<'_> {
             place: None,
             beam: None,
             wavelength: ray.wavelength,
+            tint: ray.tint,
             turns: ray.turns,
             stream: ray.stream,
         };

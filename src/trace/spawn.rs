@@ -141,6 +141,7 @@ impl Tracer<'_> {
             place: None,
             beam,
             wavelength,
+            tint: parent.tint * share,
             turns: parent.turns,
             stream: parent.stream.branch(branch),
         };

@@ -59,6 +59,30 @@ pub fn light_sample() -> What {
     })
 }
 
+/// A stretch of length 1 in mist.
+pub fn segment() -> Segment {
+    Segment {
+        medium: "mist".into(),
+        from: [0.0, 0.0, -0.5],
+        to: Some([0.0, 0.0, -1.5]),
+        length: 1.0,
+        absorption: [0.25; 3],
+        scattering: [0.5; 3],
+        transmittance: [0.472_366_552_741_014_7; 3],
+    }
+}
+
+/// Light from a lamp at an angle of 37° to the ray, in mist that turns light every way alike.
+pub fn phase() -> Phase {
+    Phase {
+        towards: "lamp".into(),
+        anisotropy: 0.0,
+        cosine: 0.8,
+        value: 0.079_577_471_545_947_67,
+        direction: [0.0, 0.6, 0.8],
+    }
+}
+
 /// A wavelength, a metal, a medium with a point in it, and two objects that overlap.
 pub fn light_on_its_way(sketch: &mut Sketch) {
     sketch.note(What::Wavelength(Wavelength {
@@ -81,15 +105,7 @@ pub fn light_on_its_way(sketch: &mut Sketch) {
         theta: 0.0,
         reflectance: [0.95, 0.8, 0.4],
     }));
-    sketch.note(What::Segment(Segment {
-        medium: "mist".into(),
-        from: [0.0, 0.0, -0.5],
-        to: Some([0.0, 0.0, -1.5]),
-        length: 1.0,
-        absorption: [0.25; 3],
-        scattering: [0.5; 3],
-        transmittance: [0.472_366_552_741_014_7; 3],
-    }));
+    sketch.note(What::Segment(segment()));
     let scatter = Scatter {
         medium: "mist".into(),
         number: 1,
@@ -101,13 +117,7 @@ pub fn light_on_its_way(sketch: &mut Sketch) {
         colour: [0.1; 3],
     };
     sketch.with(What::Scatter(scatter), |s| {
-        s.note(What::Phase(Phase {
-            towards: "lamp".into(),
-            anisotropy: 0.0,
-            cosine: 0.8,
-            value: 0.079_577_471_545_947_67,
-            direction: [0.0, 0.6, 0.8],
-        }));
+        s.note(What::Phase(phase()));
     });
     sketch.note(What::Passage(Passage {
         medium: "mist".into(),
