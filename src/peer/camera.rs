@@ -20,6 +20,18 @@ pub(super) enum Camera {
     },
 }
 
+/// Blur as POV-Ray says it.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct Blur {
+    /// The diameter of the lens.
+    aperture: f64,
+    /// A point of the plane of focus.
+    focal_point: [f64; 3],
+    /// Rays for each pixel.
+    pub samples: u32,
+}
+
 /// How far out the point looked at is put, in lengths of the direction. Less, and adding it to the eye would round the
 /// direction; the power of two itself rounds nothing.
 const FAR: f64 = 1024.0;
@@ -29,6 +41,18 @@ const FAR: f64 = 1024.0;
 const TOLERANCE: f64 = 1e-12;
 
 impl Camera {
+    /// The lens of the scene file.
+    pub fn lens(&self, blur: &Blur) -> Result<Value, String> {
+        let Self::Perspective { location, direction, .. } = self;
+        let to_focus = DVec3::from_array(blur.focal_point) - DVec3::from_array(*location);
+        let focus = to_focus.dot(DVec3::from_array(*direction).normalize_or_zero());
+        if focus > 0.0 {
+            Ok(json!({ "radius": 0.5 * blur.aperture, "focus": focus }))
+        } else {
+            Err("dof: `focal_point` is not in front of the camera".into())
+        }
+    }
+
     /// The camera of the scene file.
     pub fn to_file(&self, image: Image) -> Result<Value, String> {
         let Self::Perspective { location, direction, right, up, .. } = self;
@@ -70,6 +94,20 @@ mod tests {
     fn a_picture_as_high_as_twice_its_distance_is_seen_under_90_degrees() {
         let file = camera([-8.0 / 3.0, 0.0, 0.0], [0.0, 2.0, 0.0]).unwrap();
         assert!((file["field_of_view"].as_f64().unwrap() - 90.0).abs() < 1e-13);
+    }
+
+    #[test]
+    fn an_aperture_is_a_diameter_and_the_plane_of_focus_stands_across_the_view() {
+        let camera = Camera::Perspective {
+            location: [0.0, 0.0, -2.0],
+            direction: [0.0, 0.0, 2.0],
+            right: [-1.0, 0.0, 0.0],
+            up: [0.0, 1.0, 0.0],
+            _note: String::new(),
+        };
+        let lens = |focal_point| camera.lens(&Blur { aperture: 0.5, focal_point, samples: 4 });
+        assert_eq!(lens([7.0, -3.0, 1.0]).unwrap(), json!({ "radius": 0.25, "focus": 3.0 }));
+        assert!(lens([0.0, 0.0, -3.0]).unwrap_err().contains("in front"));
     }
 
     #[test]

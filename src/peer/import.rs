@@ -2,7 +2,7 @@
 //!
 //! The result is the text of a scene file: it goes through the same compiler as any other scene.
 
-use super::camera::Camera;
+use super::camera::{Blur, Camera};
 use super::pigment::{Normal, Pigment};
 use super::solid::Solid;
 use serde::Deserialize;
@@ -21,6 +21,8 @@ struct PeerScene {
     about: String,
     image: Image,
     camera: Camera,
+    /// The lens, if it is not a pinhole.
+    dof: Option<Blur>,
     /// Levels: 1 is the camera rays alone.
     max_depth: u32,
     /// A ray that would count less than this is not sent.
@@ -81,10 +83,16 @@ pub fn import(text: &str) -> Result<String, String> {
         .iter()
         .enumerate()
         .map(|(k, solid)| solid.to_file().map_err(|message| format!("objects[{k}]: {message}")));
+    let mut camera = peer.camera.to_file(peer.image)?;
+    if let Some(blur) = &peer.dof {
+        camera["lens"] = peer.camera.lens(blur)?;
+    }
+    let samples = peer.dof.as_ref().map_or(1, |blur| blur.samples);
     let scene = json!({
         "title": peer.name,
         "about": peer.about,
-        "camera": peer.camera.to_file(peer.image)?,
+        "camera": camera,
+        "sampling": { "samples": samples },
         "image": { "width": peer.image.width, "height": peer.image.height },
         "ambient": [1.0, 1.0, 1.0],
         "background": peer.background,
@@ -169,8 +177,8 @@ mod tests {
         assert!(unknown.contains("unknown variant `blob`"), "{unknown}");
         let leopard = import(&peer("").replace(r#""type": "solid""#, r#""type": "leopard""#)).unwrap_err();
         assert!(leopard.contains("unknown variant `leopard`") && leopard.contains("line 5"), "{leopard}");
-        let lens = import(&peer("").replacen('{', r#"{"dof": {},"#, 1)).unwrap_err();
-        assert!(lens.contains("unknown field `dof`"), "{lens}");
+        let fog = import(&peer("").replacen('{', r#"{"fog": {},"#, 1)).unwrap_err();
+        assert!(fog.contains("unknown field `fog`"), "{fog}");
         let newer = import(&peer("").replace("peer-scene/1", "peer-scene/2")).unwrap_err();
         assert!(newer.contains("`peer-scene/2`"), "{newer}");
     }

@@ -8,7 +8,8 @@
 use super::povray_material::texture;
 use crate::csg::{Leaf, Node};
 use crate::record::Operator;
-use crate::scene::{Camera, Image, Light, LightKind, MediaPolicy, Object, Scene};
+use crate::sample::Aperture;
+use crate::scene::{Image, Light, LightKind, MediaPolicy, Object, Scene};
 use crate::shape::{ConvexPolyhedron, Shape};
 use glam::{DAffine3, DMat3, DVec3};
 use std::collections::BTreeSet;
@@ -34,7 +35,7 @@ pub fn to_povray(scene: &Scene) -> Result<String, String> {
         vector(scene.ambient)
     );
     let _ = writeln!(sdl, "background {{ rgb {} }}", vector(scene.background));
-    sdl += &camera(&scene.camera, scene.image);
+    sdl += &camera(scene)?;
     for light in &scene.lights {
         sdl += &self::light(light)?;
     }
@@ -86,16 +87,32 @@ fn comment(text: &str) -> String {
     text.escape_default().to_string()
 }
 
-fn camera(camera: &Camera, image: Image) -> String {
+fn camera(scene: &Scene) -> Result<String, String> {
+    let (camera, image) = (&scene.camera, scene.image);
     let height = 2.0 * camera.half_height;
     let width = height * f64::from(image.width) / f64::from(image.height);
-    format!(
-        "camera {{ perspective location {} direction {}\n  right {} up {} }}\n",
+    Ok(format!(
+        "camera {{ perspective location {} direction {}\n  right {} up {}{} }}\n",
         vector(camera.eye),
         vector(camera.forward),
         vector(camera.right * width),
-        vector(camera.up * height)
-    )
+        vector(camera.up * height),
+        lens(scene)?
+    ))
+}
+
+/// POV-Ray's lens is a disc, and its aperture the disc's diameter; without variance it sends as many rays as it is told.
+fn lens(scene: &Scene) -> Result<String, String> {
+    let Some(lens) = &scene.lens else { return Ok(String::new()) };
+    if lens.aperture != Aperture::Disc {
+        let kind = lens.aperture.name();
+        return Err(format!("camera: POV-Ray's lens is a disc, and an aperture of the kind `{kind}` has no equal"));
+    }
+    let focus = vector(scene.camera.eye + scene.camera.forward * lens.focus);
+    let (aperture, samples) = (2.0 * lens.radius, scene.sampling.samples);
+    Ok(format!(
+        "\n  aperture {aperture:?} focal_point {focus} blur_samples {samples}, {samples} variance 0 confidence 0.999"
+    ))
 }
 
 fn light(light: &Light) -> Result<String, String> {

@@ -10,16 +10,16 @@ use super::beam::Beam;
 use super::closest::Surface;
 use super::pixel::{Aim, frame_bindings, place_lines};
 use super::ray::{Ray, Tracer};
-use crate::record::{Confusion, Counter, Effect, Entry, RayKind, Recorder, What};
+use crate::record::{Confusion, Counter, Effect, Entry, Recorder, What};
 use crate::sample::{Aperture, Purpose};
-use crate::scene::{ALL_EFFECTS, Glance, Lens};
+use crate::scene::{Glance, Lens};
 use glam::DVec3;
 
 impl<'a> Tracer<'a> {
     /// The lens, where the scene calls for one.
     pub(super) fn lens(&self) -> Option<&'a Lens> {
         let scene = self.scene;
-        if ALL_EFFECTS && scene.effects.has(Effect::DepthOfField) { scene.lens.as_deref() } else { None }
+        if self.calls_for(Effect::DepthOfField) { scene.lens.as_deref() } else { None }
     }
 
     /// The ray through a point of the lens and the place on the image plane. With d the direction from the middle of the
@@ -62,7 +62,7 @@ impl<'a> Tracer<'a> {
     fn lens_point(&self, lens: &Lens, aim: &Aim, recorder: &mut impl Recorder) -> [f64; 2] {
         recorder.count(Counter::Call(Effect::DepthOfField));
         let square = aim.stream.square(Purpose::Lens);
-        if !self.scene.effects.has(Effect::ApertureShape) {
+        if !self.calls_for(Effect::ApertureShape) {
             return Aperture::Disc.point(square);
         }
         recorder.count(Counter::Call(Effect::ApertureShape));
@@ -105,7 +105,8 @@ impl<'a> Tracer<'a> {
 
     /// Tells how far a hit of a ray from the eye is spread over the picture.
     pub(super) fn note_confusion(&self, ray: &Ray, surface: &Surface, recorder: &mut impl Recorder) {
-        let Some(lens) = self.lens().filter(|_| ray.kind == RayKind::Camera) else { return };
+        let is_through_lens = ray.place.is_some_and(|glance| glance.on_lens.is_some());
+        let Some(lens) = self.lens().filter(|_| is_through_lens) else { return };
         recorder.note(|| {
             let (camera, image) = (&self.scene.camera, self.scene.image);
             let depth = (surface.point - camera.eye).dot(camera.forward);

@@ -226,6 +226,7 @@ impl<'a> Tracer<'a> {
     /// Step 5: the colour of the light that returns along the ray from the hit point.
     fn find_colour<R: Recorder>(&self, ray: &Ray, surface: &mut Surface, recorder: &mut R) -> Rgb {
         let crossing = self.cross_media(ray, surface, recorder);
+        self.report_overlaps(ray, surface, &crossing, recorder);
         let mut components = Components::default();
         if crossing.hidden {
             components.transmitted = self.pass_straight_through(ray, surface, &crossing, recorder);

@@ -4,7 +4,7 @@ use super::pixel::Aim;
 use super::ray::Tracer;
 use crate::record::{Average, Counter, Effect, Entry, Recorder, Sample, What};
 use crate::sample::{PixelFilter, Purpose, Stream};
-use crate::scene::{ALL_EFFECTS, Adaptive, Rgb, Sampling};
+use crate::scene::{Adaptive, Rgb, Sampling};
 use smallvec::SmallVec;
 
 /// What came back so far: weights and colours, in the order of the samples.
@@ -106,11 +106,11 @@ impl Stop {
 impl Tracer<'_> {
     /// Whether pixels are sampled, and not looked at through their centres alone.
     pub(super) fn takes_samples(&self) -> bool {
-        ALL_EFFECTS && (self.takes_several() || self.lens().is_some())
+        self.takes_several() || self.lens().is_some()
     }
 
     fn takes_several(&self) -> bool {
-        ALL_EFFECTS && self.scene.effects.has(Effect::Antialiasing)
+        self.calls_for(Effect::Antialiasing)
     }
 
     /// The mean colour of the samples of a pixel; `stream` is that of its first one.

@@ -93,12 +93,15 @@ pub fn light_on_its_way(sketch: &mut Sketch) {
         share: [0.1, 0.4, 0.9],
         n1: 1.0,
         n2: 1.5,
+        theta1: 30.0,
         theta2: Some(19.471_220_634_490_69),
         direction: Some([0.0, -0.6, -0.8]),
+        reflectance: 0.041_5,
     }));
     sketch.note(What::Conductor(Conductor {
         eta: [0.16, 0.42, 1.51],
         k: [3.65, 2.47, 1.87],
+        n1: 1.0,
         theta: 0.0,
         reflectance: [0.95, 0.8, 0.4],
     }));

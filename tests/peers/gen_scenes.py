@@ -7,7 +7,7 @@ Only the standard library is used, the random numbers have a fixed seed, and eve
 double precision in both files, so the two files say the same scene.
 
 JSON format ("peer-scene/1")
-  image       {width, height}: one sample at the centre of each pixel
+  image       {width, height}: one sample at the centre of each pixel unless "dof" is given
   camera      pinhole; the ray through pixel (i, j), i from the left and j from the TOP, starts at `location` and has
               direction  direction + ((i+.5)/width - .5) * right + (.5 - (j+.5)/height) * up   (not unit length).
               `right` = horizontal view width and `up` = view height at distance 1. The basis is right-handed
@@ -24,6 +24,8 @@ JSON format ("peer-scene/1")
     superellipsoid  e, n : (|x|^(2/e) + |y|^(2/e))^(e/n) + |z|^(2/n) = 1
     plane           normal (unit), distance: dot(p, normal) = distance; the solid is the half-space below it
     union | intersection | difference      children (first minus all the others for a difference)
+  dof         {aperture, focal_point, samples}: POV-Ray's meaning: lens diameter `aperture`, the plane of focus goes
+              through `focal_point`, perpendicular to the view direction
   materials   {pigment, ambient, diffuse, phong, phong_size, reflection, transmit?, ior?}
               colour = pigment*(1-transmit)*(ambient + sum_lights diffuse*max(0,N.L)*light) + sum phong*max(0,R.L)^phong_size*light
                        + reflection * reflected ray + transmit * refracted ray (Snell; total reflection replaces it)
@@ -206,6 +208,15 @@ def glass():
                          {"type": "point", "position": [-8.0, 7.0, -3.0], "rgb": [0.4, 0.4, 0.4]}])
 
 
+def dof():
+    w, h = 320, 240
+    s = spheres()
+    s.update(name="g_dof", about="scene a through a lens: 64 samples per pixel, 320x240",
+             image={"width": w, "height": h},
+             dof={"aperture": 0.8, "focal_point": [4.05, 4.05, -4.05], "samples": 64})
+    return s
+
+
 def solids():
     rng = random.Random(8)
     shapes = [{"shape": "box", "min": [-0.32] * 3, "max": [0.32] * 3},
@@ -225,7 +236,7 @@ def scaling(nx, ny, nz):
 
 
 def all_scenes():
-    return [spheres(), tori(), superellipsoids(), csg(), glass(), solids(),
+    return [spheres(), tori(), superellipsoids(), csg(), glass(), dof(), solids(),
             scaling(5, 5, 4), scaling(10, 10, 10), scaling(25, 20, 20)]
 
 # ------------------------------------------------------------------ POV-Ray writer
@@ -267,11 +278,16 @@ def pov_object(o, indent=""):
 
 def pov(s):
     c = s["camera"]
+    dof_part = ""
+    if "dof" in s:
+        d = s["dof"]
+        dof_part = (f"\n  aperture {d['aperture']!r} focal_point {vec(d['focal_point'])} blur_samples "
+                    f"{d['samples']}, {d['samples']} variance 0 confidence 0.999")
     lines = [f"// {s['name']}: {s['about']}", "// written by gen_scenes.py; do not edit", "#version 3.7;",
              f"global_settings {{ assumed_gamma 1.0 max_trace_level {s['max_depth']} adc_bailout {s['adc_bailout']!r} }}",
              f"background {{ rgb {vec(s['background'])} }}",
              f"camera {{ perspective location {vec(c['location'])} direction {vec(c['direction'])}\n"
-             f"  right {vec(c['right'])} up {vec(c['up'])} }}"]
+             f"  right {vec(c['right'])} up {vec(c['up'])}{dof_part} }}"]
     lines += [f"light_source {{ {vec(l['position'])} rgb {vec(l['rgb'])} }}" for l in s["lights"]]
     lines += [pov_material(n, m) for n, m in s["materials"].items()]
     lines += [pov_object(o) for o in s["objects"]]

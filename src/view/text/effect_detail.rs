@@ -1,7 +1,7 @@
 //! Everything that the events of cameras, wavelengths and media hold, and what they mean.
 
 use super::detail::{DetailLine, pair};
-use super::format::{degrees, vector};
+use super::format::{degrees, percent, vector};
 use super::texture_row::place;
 use crate::record::{
     Average, Conductor, Confusion, Lens, LightSample, Overlap, Passage, Phase, Sample, Scatter, Segment, Wavelength,
@@ -26,11 +26,12 @@ pub(super) fn effect_lines(what: &What) -> Option<Vec<DetailLine>> {
         ],
         What::LightSample(sample) => light_sample_lines(sample),
         What::Wavelength(wavelength) => wavelength_lines(wavelength),
-        What::Conductor(Conductor { eta, k, theta, reflectance }) => vec![
+        What::Conductor(Conductor { eta, k, n1, theta, reflectance }) => vec![
             pair("η", vector(*eta)),
             pair("k", vector(*k)),
+            pair("n₁", format_number(*n1)),
             pair("θ₁", degrees(*theta)),
-            pair("reflectance", vector(*reflectance)),
+            pair("R", vector(*reflectance)),
         ],
         What::Segment(segment) => segment_lines(segment),
         What::Scatter(scatter) => scatter_lines(scatter),
@@ -146,12 +147,14 @@ fn wavelength_lines(wavelength: &Wavelength) -> Vec<DetailLine> {
     let mut lines = vec![
         pair("λ in nm", format_number(wavelength.nanometres)),
         pair("width of its band in nm", format_number(wavelength.band)),
-        pair("share of white", vector(wavelength.share)),
+        pair("S, the share of white", vector(wavelength.share)),
         pair("n₁", format_number(wavelength.n1)),
         pair("n₂", format_number(wavelength.n2)),
     ];
+    lines.push(pair("θ₁", degrees(wavelength.theta1)));
     lines.extend(wavelength.theta2.map(|theta2| pair("θ₂", degrees(theta2))));
     lines.extend(wavelength.direction.map(|direction| pair("direction", vector(direction))));
+    lines.push(pair("Fresnel reflectance, unpolarised", percent(wavelength.reflectance)));
     lines
 }
 

@@ -1,5 +1,5 @@
-//! What a surface carries as a drawing: the pixel on the texels, a lattice cell, octaves, a spline, rings, a bump, a frame,
-//! the environment, a detail; and what a medium does to a ray.
+//! What happens to a ray as a drawing: what a surface carries (the pixel on the texels, a lattice cell, octaves, a spline, rings,
+//! a bump, a frame, the environment, a detail), the lens that it is seen through, white light taken apart, what a medium does.
 //!
 //! One file for each kind of event, all of one signature: a [`Sheet`] and what the event holds.
 
@@ -9,8 +9,12 @@ mod clip;
 mod detail;
 mod environment;
 mod fading;
+mod fan;
+#[cfg(test)]
+mod fan_tests;
 mod frame_map;
 mod lattice;
+mod lens;
 mod lobe;
 mod octaves;
 mod picture;
@@ -28,7 +32,7 @@ use crate::record::{EventId, What};
 use crate::scene::Scene;
 use crate::trace::RayTree;
 use sheet::Sheet;
-use telling::{footprint_of, phases_of, point_of, telling, turned_on};
+use telling::{footprint_of, lens_of, phases_of, point_of, telling, turned_on};
 
 /// The drawing of a look-up, bump, frame or detail: that of `selected` itself, or of the most telling one that belongs to
 /// it (to a texture: what is below it; to a hit: what its surface carries). Where the scene is given, the image of its
@@ -56,6 +60,8 @@ pub fn texture_plot(
             environment::draw(&mut sheet, environment, image);
         }
         What::Detail(detail) => detail::draw(&mut sheet, detail),
+        What::Lens(_) | What::Confusion(_) => lens::draw(&mut sheet, &lens_of(tree, event)?),
+        What::Wavelength(_) => fan::draw(&mut sheet, &fan::sent_together(tree, event)),
         What::Segment(segment) => fading::draw(&mut sheet, segment, &turned_on(tree, event)),
         What::Scatter(_) | What::Phase(_) => lobe::draw(&mut sheet, &phases_of(tree, event)),
         _ => return None,

@@ -1,5 +1,6 @@
 //! Which event is drawn for the one that is selected, and what else its drawing needs.
 
+use super::lens::Seen;
 use crate::record::{Environment, Event, EventId, Mapping, Phase, Texels, Texture, Triple, What};
 use crate::trace::RayTree;
 
@@ -17,7 +18,9 @@ pub(super) fn telling(tree: &RayTree, selected: EventId) -> Option<EventId> {
         What::Hit { .. } => best(tree, selected, tree.subtree_end(ray)),
         // A ray that meets nothing looks at the environment at most.
         What::Nothing { .. } => best(tree, ray, tree.subtree_end(ray)),
-        What::Texture(_) | What::Step { .. } | What::Ray { .. } => best(tree, selected, tree.subtree_end(selected)),
+        What::Texture(_) | What::Sample(_) | What::Step { .. } | What::Ray { .. } => {
+            best(tree, selected, tree.subtree_end(selected))
+        }
         _ => None,
     }
 }
@@ -56,9 +59,12 @@ const fn rank(what: &What) -> Option<u8> {
         What::FrameMap(_) => 7,
         What::Detail(_) => 8,
         What::Environment(_) => 9,
-        What::Segment(_) => 10,
-        What::Scatter(_) => 11,
-        What::Phase(_) => 12,
+        What::Lens(_) => 10,
+        What::Confusion(_) => 11,
+        What::Wavelength(_) => 12,
+        What::Segment(_) => 13,
+        What::Scatter(_) => 14,
+        What::Phase(_) => 15,
         _ => return None,
     })
 }
@@ -92,6 +98,16 @@ pub(super) fn phases_of<'t>(tree: &'t RayTree, id: EventId) -> Vec<&'t Phase> {
         Some(own) => vec![own],
         None => tree.children(id).filter_map(phase).collect(),
     }
+}
+
+/// The lens that an event belongs to, and how far out of focus the hit of its ray is. None where the lens was not recorded.
+pub(super) fn lens_of(tree: &RayTree, id: EventId) -> Option<Seen<'_>> {
+    let is_sample = |id: &EventId| matches!(tree.event(*id).what, What::Sample(_));
+    let first = tree.path(id).into_iter().rev().find(is_sample).unwrap_or(0);
+    let events = || (first..tree.subtree_end(first)).map(|id| &tree.event(id).what);
+    let lens = events().find_map(|what| if let What::Lens(lens) = what { Some(lens) } else { None })?;
+    let confusion = events().find_map(|what| if let What::Confusion(own) = what { Some(own) } else { None });
+    Some(Seen { lens, confusion })
 }
 
 /// What the drawing of texels needs, from as many events as there are.

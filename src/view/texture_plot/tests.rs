@@ -3,7 +3,7 @@
 use super::*;
 use crate::record::Triple;
 use crate::view::sample::{Sketch, every_kind};
-use crate::view::sample_effects;
+use crate::view::sample_effects as effects;
 use crate::view::sample_texture as sample;
 use crate::view::{Form, Frame, Spot, Text};
 
@@ -12,10 +12,13 @@ const SIZE: [f64; 2] = [620.0, 380.0];
 /// A tree of nothing but this, the mapping with its texels below it.
 fn alone(what: What) -> RayTree {
     let mut sketch = Sketch::new();
-    let is_mapping = matches!(what, What::Mapping(_));
+    let (is_mapping, is_lens) = (matches!(what, What::Mapping(_)), matches!(what, What::Lens(_)));
     sketch.with(what, |s| {
         if is_mapping {
             s.note(What::Texels(sample::texels()));
+        }
+        if is_lens {
+            s.note(effects::confusion());
         }
     });
     sketch.finish()
@@ -38,8 +41,9 @@ fn all() -> Vec<(&'static str, What)> {
         ("bump", What::Bump(sample::bump())),
         ("frame_map", What::FrameMap(sample::frame_map())),
         ("environment", What::Environment(sample::environment())),
-        ("segment", What::Segment(sample_effects::segment())),
-        ("phase", What::Phase(sample_effects::phase())),
+        ("lens", effects::lens()),
+        ("segment", What::Segment(effects::segment())),
+        ("phase", What::Phase(effects::phase())),
     ]
 }
 
@@ -72,7 +76,7 @@ fn extent(form: &Form) -> Frame {
     }
 }
 
-fn assert_readable(drawing: &Drawing, what: &str) {
+pub(super) fn assert_readable(drawing: &Drawing, what: &str) {
     let canvas = drawing.frame().grown(0.01);
     for mark in &drawing.marks {
         assert!(canvas.holds(&extent(&mark.form)), "{what}: {:?} is cut off", mark.form);
@@ -123,13 +127,17 @@ fn spoiled(by: f64) -> Vec<What> {
     (frame.after[0], frame.roughness) = (triple, pair);
     let mut environment = sample::environment();
     (environment.at, environment.footprint[2], environment.size) = (pair, pair, [0, u32::MAX]);
-    let mut segment = sample_effects::segment();
+    let mut segment = effects::segment();
     (segment.length, segment.absorption, segment.transmittance) = (by, triple, triple);
-    let mut phase = sample_effects::phase();
+    let mut phase = effects::phase();
     (phase.anisotropy, phase.cosine, phase.value) = (by, -by, by);
+    let What::Lens(lens) = effects::lens() else { unreachable!("it is a lens") };
+    let lens = crate::record::Lens { radius: by, at: pair, point: triple, focus: triple, ..lens };
     vec![
         What::Segment(segment),
         What::Phase(phase),
+        What::Lens(lens.clone()),
+        What::Lens(crate::record::Lens { focus_distance: by, eye: triple, ..lens }),
         What::Detail(detail),
         What::Mapping(mapping),
         What::Texels(texels),
