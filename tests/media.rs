@@ -144,7 +144,7 @@ fn mean(scene: &Scene, origin: DVec3, direction: DVec3, count: u32) -> (Rgb, f64
     let tracer = Tracer::new(scene);
     let (mut sum, mut squares) = (Rgb::ZERO, Rgb::ZERO);
     for number in 0..count {
-        let ray = Ray { stream: Stream::new(number, 7), ..tracer.camera_ray(origin, direction) };
+        let ray = Ray { stream: Stream::of_pixel([7, 0], 0).sample(number), ..tracer.camera_ray(origin, direction) };
         let colour = tracer.trace(&ray, &mut NullRecorder);
         sum += colour;
         squares += colour * colour;
@@ -242,7 +242,10 @@ fn a_thick_cloud_loses_only_the_paths_that_the_limit_ends() {
     let tracer = Tracer::new(&cloud);
     let mut lost = 0;
     for number in 0..200 {
-        let ray = Ray { stream: Stream::new(number, 3), ..tracer.camera_ray(DVec3::Z * 3.0, DVec3::NEG_Z) };
+        let ray = Ray {
+            stream: Stream::of_pixel([3, 0], 0).sample(number),
+            ..tracer.camera_ray(DVec3::Z * 3.0, DVec3::NEG_Z)
+        };
         let mut tally = Tally::default();
         let colour = tracer.trace(&ray, &mut tally).x;
         let turns = tally.rays(RayKind::Scattered);
