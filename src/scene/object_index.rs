@@ -78,6 +78,8 @@ fn touching(extents: &[Extent], transparent: &[usize]) -> Vec<Vec<usize>> {
         }
         open.push(object);
     }
-    touching.iter_mut().for_each(|others| others.sort_unstable());
+    for others in &mut touching {
+        others.sort_unstable();
+    }
     touching
 }

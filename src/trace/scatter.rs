@@ -93,9 +93,9 @@ impl Tracer<'_> {
         let phase = HenyeyGreenstein { anisotropy: medium.anisotropy };
         let point = ray.origin + onward * flight.distance;
         let turn = Turn { ray, stretch, flight, point, onward, phase, budget };
-        let mut light: Rgb = (0..self.scene.lights.len()).map(|index| self.from_light(&turn, index, recorder)).sum();
+        let mut light: Rgb = (0..self.scene.lights.len()).map(|index| self.turned_light(&turn, index, recorder)).sum();
         if medium.multiple {
-            light += self.from_elsewhere(&turn, recorder);
+            light += self.path_onward(&turn, recorder);
         }
         let colour = flight.weight * light;
         recorder.end(|| self.describe_scatter(&turn, chance, light, colour));
@@ -103,7 +103,7 @@ impl Tracer<'_> {
     }
 
     /// The light of one lamp that is turned here: p(cosθ) times what arrives.
-    fn from_light<R: Recorder>(&self, turn: &Turn, index: usize, recorder: &mut R) -> Rgb {
+    fn turned_light<R: Recorder>(&self, turn: &Turn, index: usize, recorder: &mut R) -> Rgb {
         recorder.begin();
         let light = &self.scene.lights[index];
         let place = turn
@@ -126,7 +126,7 @@ impl Tracer<'_> {
     }
 
     /// The light that comes from another direction, chosen as often as light is turned from there.
-    fn from_elsewhere<R: Recorder>(&self, turn: &Turn, recorder: &mut R) -> Rgb {
+    fn path_onward<R: Recorder>(&self, turn: &Turn, recorder: &mut R) -> Rgb {
         let Turn { ray, flight, point, onward, phase, .. } = turn;
         let (direction, cosine) = phase.turned(*onward, ray.stream.square(Purpose::Phase));
         recorder.note(|| describe_phase(turn, "on", direction, cosine));

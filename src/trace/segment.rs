@@ -71,7 +71,7 @@ impl<'a> Tracer<'a> {
             Rgb::ZERO
         } else {
             let (weight, tint) = (ray.weight * passes.max_element(), ray.tint * passes);
-            self.see(&Ray { weight, tint, budget, ..ray.clone() }, surface, recorder)
+            self.see(&Ray { weight, budget, tint, ..ray.clone() }, surface, recorder)
         };
         let colour = passes * behind + scattered;
         recorder.note(|| self.describe_passage(filling, [passes, behind, scattered, colour]));

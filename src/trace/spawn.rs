@@ -141,7 +141,7 @@ impl Tracer<'_> {
             place: None,
             beam,
             wavelength,
-            tint: parent.tint * share,
+            tint: parent.tint * share.abs(),
             turns: parent.turns,
             stream: parent.stream.branch(branch),
         };

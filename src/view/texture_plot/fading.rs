@@ -16,15 +16,15 @@ pub(super) fn draw(sheet: &mut Sheet, segment: &Segment, turned_at: &[f64]) {
     } else {
         "The ray does not leave the medium: only colours that are not taken away arrive.".to_owned()
     };
-    let room = sheet.caption(&format!("What {} leaves of the light", segment.medium), &note);
-    let strokes = strokes(sheet);
+    let room = sheet.caption(&format!("Light on its way through {}", segment.medium), &note);
+    let rates: [f64; 3] = std::array::from_fn(|colour| segment.absorption[colour] + segment.scattering[colour]);
+    let strokes = strokes(sheet, rates == [rates[0]; 3]);
     let mut facts: Vec<Fact> = strokes.iter().map(|(stroke, name)| Fact::Line(*stroke, (*name).to_owned())).collect();
     if !turned_at.is_empty() {
         facts.push(Fact::Line(Stroke::solid(sheet.palette.scattered, 1.6), "turned here".to_owned()));
     }
     let (room, _) = sheet.facts(room, &facts);
     let frame = within_axes(room);
-    let rates: [f64; 3] = std::array::from_fn(|colour| segment.absorption[colour] + segment.scattering[colour]);
     let Some(length) = shown_length(segment, rates).filter(|_| is_roomy(&frame)) else { return };
     let chart = Chart::free(frame, [0.0, length], [0.0, 1.04]);
     for (rate, (stroke, _)) in rates.into_iter().zip(strokes) {
@@ -46,10 +46,13 @@ pub(super) fn draw(sheet: &mut Sheet, segment: &Segment, turned_at: &[f64]) {
     sheet.axes(&chart, ["way in the medium", "share that is left"], false);
 }
 
-/// The channels' lines, told apart by dash as well as by colour.
-fn strokes(sheet: &Sheet) -> [(Stroke, &'static str); 3] {
+/// The channels' lines, told apart by dash as well as by colour; one line where all channels are alike.
+fn strokes(sheet: &Sheet, are_alike: bool) -> Vec<(Stroke, &'static str)> {
     let palette = sheet.palette;
-    [
+    if are_alike {
+        return vec![(Stroke::solid(palette.ink, 2.0), "every colour")];
+    }
+    vec![
         (Stroke::solid(palette.bad, 2.0), "red"),
         (Stroke::dashed(palette.good, 2.0, [7.0, 4.0]), "green"),
         (Stroke::dashed(palette.camera, 2.0, [2.0, 3.5]), "blue"),

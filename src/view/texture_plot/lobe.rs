@@ -40,7 +40,7 @@ pub(super) fn draw(sheet: &mut Sheet, phases: &[&Phase]) {
     let (low, high) = bounds(&curve, reach);
     let Some(chart) = Chart::even(frame, low, high, false) else { return };
     let ring = chart.all_at(&curve);
-    sheet.area(&chart.frame, &[ring.clone()], lobe.faded(0.16));
+    sheet.area(&chart.frame, std::slice::from_ref(&ring), lobe.faded(0.16));
     sheet.outline(&chart.frame, &ring, Stroke::solid(lobe, 2.0));
     let centre = chart.at([0.0, 0.0]);
     let arm = 0.5 * frame.size()[0].min(frame.size()[1]) / chart.scale();
