@@ -2,7 +2,7 @@
 
 mod broken;
 
-use broken::{Case, FILES, OBJECTS};
+use broken::{Case, FILES, GLASS, OBJECTS};
 use proptest::prelude::*;
 use rayscope::scene::{compile_solid, embedded_scenes, load};
 
@@ -37,6 +37,13 @@ fn each_broken_file_is_refused_with_place_reason_and_help() {
 fn each_broken_object_is_refused_with_place_reason_and_help() {
     for case in OBJECTS {
         assert_refused(&file_with_object(case.text), case);
+    }
+}
+
+#[test]
+fn each_broken_material_is_refused_with_place_reason_and_help() {
+    for case in GLASS {
+        assert_refused(&format!("{{\"materials\": {{\"odd\":\n{}\n}}}}", case.text), case);
     }
 }
 

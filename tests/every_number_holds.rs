@@ -42,6 +42,7 @@ fn the_calculator_can_calculate() {
         ("arccos 0.5", 60.0),
         ("max(0, −1) + 2^3", 8.0),
         ("2 ⌊−1.5⌋ + 1", -3.0),
+        ("3 exp(−2 0.5) − ln 2", 3.0 / std::f64::consts::E - std::f64::consts::LN_2),
     ] {
         let (x, _) = evaluate(text).unwrap_or_else(|e| panic!("{text}: {e}")).0[0];
         assert!((x - value).abs() < 1e-9, "{text} gave {x}");

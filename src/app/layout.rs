@@ -6,8 +6,9 @@ use super::renderer::Renderer;
 use super::scene_menu::Choice;
 use super::split::{Direction, GAP, split};
 use super::theme::Palette;
-use super::workbench::Workbench;
+use super::workbench::{OpenScene, Workbench};
 use super::{detail_panel, problem, toolbar, top_bar, tree_panel};
+use crate::record::Effect;
 use crate::scene::Scene;
 use egui::{Context, Rect, RichText, Ui, UiBuilder};
 
@@ -48,6 +49,7 @@ impl Workbench {
             rest = below.with_min_y(below.top() + GAP);
         }
         self.panels(ui, rest);
+        self.effects_window(&ui.ctx().clone());
     }
 
     fn top_bar(&mut self, ui: &mut Ui, bar: Rect) {
@@ -58,7 +60,15 @@ impl Workbench {
             Some(top_bar::Action::Choose(Choice::Embedded(name))) => self.open_scene(ui.ctx(), &name),
             Some(top_bar::Action::Choose(Choice::OpenFile)) => self.dialog.open(ui.ctx()),
             Some(top_bar::Action::Record(pixel)) => self.record(pixel),
+            Some(top_bar::Action::Effects) => self.toggle_effects(),
             None => {}
+        }
+    }
+
+    fn effects_window(&mut self, ctx: &Context) {
+        let chosen = self.open.as_ref().and_then(|open| self.effects.ui(ctx, open));
+        if let Some(effects) = chosen {
+            self.switch(ctx, effects);
         }
     }
 
@@ -86,7 +96,7 @@ impl Workbench {
             return;
         };
         let texture = self.renderer.texture(ui.ctx()).cloned();
-        let state = progress(ui.ctx(), &self.renderer, &open.scene);
+        let state = progress(ui.ctx(), &self.renderer, &open.scene) + &left_out(open);
         let mut chosen = None;
         let view = ImageView { scene: &open.scene, texture, recording: self.recording.as_ref() };
         let tools = |ui: &mut Ui| {
@@ -133,6 +143,13 @@ impl Workbench {
             ui.scope_builder(builder, |ui| tree_panel::ui(ui, self.recording.as_mut()));
         });
     }
+}
+
+/// The effects that are switched off, in words.
+fn left_out(open: &OpenScene) -> String {
+    let off = |effect: &Effect| open.whole.effects.has(*effect) && !open.scene.effects.has(*effect);
+    let names: Vec<&str> = Effect::ALL.into_iter().filter(off).map(Effect::name).collect();
+    if names.is_empty() { String::new() } else { format!(" · without {}", names.join(", ")) }
 }
 
 /// How far the picture is, in words.

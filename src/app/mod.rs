@@ -6,9 +6,11 @@
 
 mod canvas;
 mod detail_panel;
+mod effects_window;
 mod file_dialog;
 mod image_panel;
 mod layout;
+mod ledger_job;
 mod outline;
 mod overlay;
 mod panel;

@@ -6,7 +6,7 @@ use egui::{ColorImage, Context, TextureHandle, TextureOptions};
 use std::sync::{Arc, Mutex, PoisonError};
 
 /// Single pixels stay visible when the picture is magnified, and lines stay whole when it is made smaller.
-const SAMPLING: TextureOptions = TextureOptions {
+pub const SAMPLING: TextureOptions = TextureOptions {
     magnification: egui::TextureFilter::Nearest,
     minification: egui::TextureFilter::Linear,
     wrap_mode: egui::TextureWrapMode::ClampToEdge,

@@ -59,6 +59,8 @@ pub enum Action {
     Choose(Choice),
     /// A pixel.
     Record([u32; 2]),
+    /// The window of the effects, to be shown or hidden.
+    Effects,
 }
 
 /// Shows the bar.
@@ -71,6 +73,7 @@ pub fn ui(ui: &mut Ui, menu: &SceneMenu, open: Option<&OpenScene>, recorded: Opt
     let line = |salt: &str, rect: egui::Rect| {
         UiBuilder::new().id_salt(salt.to_owned()).max_rect(rect).layout(Layout::left_to_right(Align::Center))
     };
+    let mut effects = false;
     let chosen = ui
         .scope_builder(line("upper", upper.shrink2(vec2(MARGIN, 4.0))), |ui| {
             ui.label(RichText::new("rayscope").size(17.0).family(bold()).color(palette.accent));
@@ -78,6 +81,9 @@ pub fn ui(ui: &mut Ui, menu: &SceneMenu, open: Option<&OpenScene>, recorded: Opt
             let chosen = menu.ui(ui, open.map_or("none", |open| &open.name));
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                 theme_menu(ui);
+                let button =
+                    ui.button("Effects").on_hover_text("What the scene calls for, and what each effect costs.");
+                effects = button.clicked();
                 ui.with_layout(Layout::left_to_right(Align::Center), |ui| title(ui, open));
             });
             chosen
@@ -88,7 +94,8 @@ pub fn ui(ui: &mut Ui, menu: &SceneMenu, open: Option<&OpenScene>, recorded: Opt
             open.and_then(|open| about(ui, open, recorded))
         })
         .inner;
-    chosen.map(Action::Choose).or(pixel.map(Action::Record))
+    let effects = effects.then_some(Action::Effects);
+    chosen.map(Action::Choose).or(pixel.map(Action::Record)).or(effects)
 }
 
 fn title(ui: &mut Ui, open: Option<&OpenScene>) {

@@ -1,5 +1,6 @@
 //! The state of the workbench: what is open, what is recorded, what is selected.
 
+use super::effects_window::EffectsWindow;
 use super::file_dialog::FileDialog;
 use super::image_panel::ImagePanel;
 use super::layout::Shares;
@@ -11,7 +12,7 @@ use super::side_panel::SidePanel;
 use super::theme;
 use crate::folder::{Outside, files_of_scene};
 use crate::record::EventId;
-use crate::scene::{EmbeddedScene, Scene, embedded_scene, embedded_scenes, load_with};
+use crate::scene::{Effects, EmbeddedScene, Scene, embedded_scene, embedded_scenes, load_with};
 use egui::Context;
 use std::path::Path;
 use std::sync::Arc;
@@ -20,8 +21,10 @@ use std::sync::Arc;
 pub struct OpenScene {
     /// Its name, or its file's.
     pub name: String,
-    /// The scene.
+    /// The scene, with the effects that are switched on.
     pub scene: Arc<Scene>,
+    /// The scene as it was loaded, with all effects that it calls for.
+    pub whole: Arc<Scene>,
 }
 
 /// Why a scene could not be opened.
@@ -44,6 +47,7 @@ pub struct Workbench {
     pub(super) image: ImagePanel,
     pub(super) side: SidePanel,
     pub(super) plots: PlotsPanel,
+    pub(super) effects: EffectsWindow,
     pub(super) shares: Shares,
     outside: Outside,
 }
@@ -63,6 +67,7 @@ impl Workbench {
             image: ImagePanel::default(),
             side: SidePanel::default(),
             plots: PlotsPanel::default(),
+            effects: EffectsWindow::default(),
             shares: Shares::default(),
             outside,
         };
@@ -105,7 +110,9 @@ impl Workbench {
         self.renderer.start(ctx, &scene);
         let middle = [scene.image.width / 2, scene.image.height / 2];
         let pixel = scene.pixels.first().copied().unwrap_or(middle);
-        self.open = Some(OpenScene { name: name.to_owned(), scene });
+        self.effects.reset();
+        let whole = Arc::clone(&scene);
+        self.open = Some(OpenScene { name: name.to_owned(), scene, whole });
         self.record(pixel);
     }
 
@@ -119,6 +126,21 @@ impl Workbench {
         let mut recording = Recording::new(&open.scene, pixel);
         recording.select_outcome();
         self.recording = Some(recording);
+    }
+
+    /// Switches effects on and off: the picture is rendered and the pixel recorded anew.
+    pub(super) fn switch(&mut self, ctx: &Context, effects: Effects) {
+        let Some(open) = &mut self.open else { return };
+        open.scene = Arc::new(open.whole.with_effects(effects));
+        self.renderer.start(ctx, &open.scene);
+        if let Some(pixel) = self.recording.as_ref().map(|recording| recording.pixel) {
+            self.record(pixel);
+        }
+    }
+
+    /// Shows or hides the window of the effects.
+    pub fn toggle_effects(&mut self) {
+        self.effects.is_open = !self.effects.is_open;
     }
 
     /// The scene that is open.

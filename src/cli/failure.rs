@@ -13,6 +13,11 @@ const INTERRUPTED: u8 = 130;
 /// 128 + SIGPIPE, as shells report it for tools that are ended by a closed pipe.
 const CLOSED_PIPE: u8 = 141;
 
+/// Says something that the user should know though the command goes on.
+pub fn warn(message: &str) {
+    let _ = writeln!(io::stderr(), "rayscope: {message}");
+}
+
 /// Why a command stopped.
 #[derive(Debug, PartialEq, Eq)]
 pub struct Failure {

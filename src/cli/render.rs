@@ -1,6 +1,6 @@
 //! `rayscope render`: a picture as a PNG file.
 
-use super::failure::Failure;
+use super::failure::{Failure, warn};
 use super::frames::Frames;
 use super::output::Output;
 use super::progress::{stop_on_ctrl_c, with_bar};
@@ -183,6 +183,9 @@ impl Render {
         if rendered.picture.computed() == 0 {
             return Err(Failure::interrupted("interrupted before a pixel was finished; nothing was written"));
         }
+        for overlap in rendered.tally.overlaps().in_words(scene) {
+            warn(&format!("{overlap}; the scene's media policy forbids that"));
+        }
         let began = Instant::now();
         output.write(&png(&rendered.picture)?)?;
         let write = began.elapsed();
@@ -230,6 +233,7 @@ impl Render {
             extents: stats::extents(&rendered.tally),
             seconds: Seconds::new(rendered.load, rendered.render, write),
             effects: stats::effects(scene, &rendered.tally),
+            overlaps: stats::overlaps(scene, &rendered.tally),
         };
         let text = serde_json::to_string_pretty(&stats).map_err(|error| Failure::refused(error.to_string()))?;
         Ok(text + "\n")

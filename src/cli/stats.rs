@@ -2,7 +2,7 @@
 
 use crate::record::RayKind;
 use crate::scene::{Reason, Scene, reasons};
-use crate::trace::Tally;
+use crate::trace::{Overlap, Tally};
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::time::Duration;
@@ -22,6 +22,20 @@ pub struct Stats<'a> {
     pub extents: Extents,
     pub seconds: Seconds,
     pub effects: Vec<EffectStats>,
+    /// Where transparent objects fill the same space, which the scene forbids.
+    pub overlaps: Vec<OverlapStats<'a>>,
+}
+
+/// Two transparent objects that fill the same space.
+#[derive(Debug, Serialize)]
+pub struct OverlapStats<'a> {
+    pub objects: [&'a str; 2],
+    /// How many rays found it.
+    pub rays: u64,
+    /// The first pixel whose rays did.
+    pub pixel: [u32; 2],
+    /// The hit times between which that ray is in both.
+    pub interval: [f64; 2],
 }
 
 /// Tests against the boxes of single solids; those of the hierarchy are not counted.
@@ -72,6 +86,17 @@ pub fn tests(tally: &Tally) -> BTreeMap<&'static str, u64> {
 /// Tests against the boxes of single solids; those of the hierarchy are not counted.
 pub fn extents(tally: &Tally) -> Extents {
     Extents { tests: tally.extent_tests(), misses: tally.extent_misses() }
+}
+
+/// Where transparent objects fill the same space.
+pub fn overlaps<'a>(scene: &'a Scene, tally: &'a Tally) -> Vec<OverlapStats<'a>> {
+    let stats = |(objects, overlap): ([&'a str; 2], &Overlap)| OverlapStats {
+        objects,
+        rays: overlap.rays,
+        pixel: overlap.pixel,
+        interval: overlap.interval,
+    };
+    tally.overlaps().named(scene).map(stats).collect()
 }
 
 /// What the scene calls for, and what came of it.

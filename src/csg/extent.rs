@@ -95,6 +95,18 @@ impl Extent {
         self.low.cmple(point).all() && point.cmple(self.high).all()
     }
 
+    /// Whether it holds a point, or would if it were wider by `slack` on all sides.
+    #[must_use]
+    pub fn holds_nearly(&self, point: DVec3, slack: f64) -> bool {
+        self.grown(slack).holds(point)
+    }
+
+    /// Whether some point is in both.
+    #[must_use]
+    pub fn meets(&self, other: Self) -> bool {
+        self.low.cmple(other.high).all() && other.low.cmple(self.high).all()
+    }
+
     /// The box with all of its faces moved outwards.
     #[must_use]
     pub fn grown(&self, by: f64) -> Self {

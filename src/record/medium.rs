@@ -34,9 +34,9 @@ pub struct Scatter {
     pub distance: f64,
     /// The point in world space.
     pub point: Triple,
-    /// The random number in [0, 1) that chose the distance.
+    /// The random number in [0, 1) that chose the colour and the distance.
     pub chance: f64,
-    /// The probability density of that distance.
+    /// The probability density of that distance, per unit of length: the mean over the colours.
     pub density: f64,
     /// What the light from this point counts: σ_s exp(−σ_t distance) / density.
     pub weight: Triple,
@@ -57,6 +57,21 @@ pub struct Phase {
     pub value: f64,
     /// The unit direction from the point, towards the light or along the path.
     pub direction: Triple,
+}
+
+/// What comes out of a stretch of a medium towards the start of the ray.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct Passage {
+    /// The object that the medium fills.
+    pub medium: String,
+    /// The light from the far end.
+    pub behind: Triple,
+    /// The share of it that is left; of a path that goes on by chance, what it counts.
+    pub passes: Triple,
+    /// The light that was turned towards the start on the way.
+    pub scattered: Triple,
+    /// All of it.
+    pub colour: Triple,
 }
 
 /// Two transparent objects fill the same space, which design policy 1 forbids.

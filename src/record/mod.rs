@@ -22,7 +22,7 @@ pub use effect::Effect;
 pub use event::{Entry, Event, EventId, Source, Triple};
 #[cfg(test)]
 pub use kept::Kept;
-pub use medium::{Overlap, Phase, Scatter, Segment};
+pub use medium::{Overlap, Passage, Phase, Scatter, Segment};
 pub use numbers::{Binding, Numbers};
 pub use parts::{
     Candidate, CandidateFate, Certificate, Edge, Operator, PlaneRow, PlaneSense, RayKind, Sense, Sign, SignSpan, Span,

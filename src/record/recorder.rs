@@ -3,7 +3,7 @@
 use super::{Effect, Entry, RayKind};
 
 /// Something that is counted, whatever else is recorded.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Counter {
     /// A ray of this kind was traced.
     Ray(RayKind),
@@ -18,6 +18,13 @@ pub enum Counter {
     Call(Effect),
     /// An effect sent a ray that there would not be without it.
     Sent(Effect),
+    /// A ray came into a transparent object within another one, which the scene forbids.
+    Overlap {
+        /// The two objects, by their places in the list.
+        objects: [usize; 2],
+        /// The hit times between which the ray is in both.
+        interval: [f64; 2],
+    },
 }
 
 /// Listens to the one tracing code path. A recorder never answers a question and never changes a result.

@@ -21,10 +21,14 @@ pub struct Wavelength {
     pub n1: f64,
     /// The index of refraction on the far side at λ.
     pub n2: f64,
+    /// The angle of incidence in degrees.
+    pub theta1: f64,
     /// The angle of refraction in degrees; none for total internal reflection.
     pub theta2: Option<f64>,
     /// The refracted unit direction; none for total internal reflection.
     pub direction: Option<Triple>,
+    /// Unpolarised Fresnel reflectance at λ.
+    pub reflectance: f64,
 }
 
 /// The reflectance of a metal by Fresnel's equations with a complex index η + i k.
@@ -34,6 +38,8 @@ pub struct Conductor {
     pub eta: Triple,
     /// k, likewise.
     pub k: Triple,
+    /// The index of refraction of the medium outside.
+    pub n1: f64,
     /// The angle of incidence in degrees.
     pub theta: f64,
     /// The reflectance of unpolarised light.

@@ -1,7 +1,7 @@
 //! What can happen to a ray, one variant each.
 
 use super::camera::{Average, Confusion, Lens, LightSample, Sample};
-use super::medium::{Overlap, Phase, Scatter, Segment};
+use super::medium::{Overlap, Passage, Phase, Scatter, Segment};
 use super::spectrum::{Conductor, Wavelength};
 use super::surface::{
     Bump, Detail, Environment, FrameMap, Lattice, Mapping, Octaves, Rings, Texels, Texture, Undulate,
@@ -307,6 +307,8 @@ pub enum What {
     Scatter(Scatter),
     /// By how much light is turned there.
     Phase(Phase),
+    /// What comes out of a stretch of a medium.
+    Passage(Passage),
     /// The ambient term.
     Ambient {
         /// Its colour.
@@ -392,7 +394,7 @@ pub enum What {
     },
     /// Something that was stopped or left out.
     Limit {
-        /// Which limit: `depth`, `contribution`, `rays`, `recording size`.
+        /// Which limit: `depth`, `contribution`, `rays`, `turns`, `recording size`.
         limit: String,
         /// Its value.
         at: f64,

@@ -9,7 +9,7 @@ use super::diagnostics::Diagnostics;
 use super::effects::{ALL_EFFECTS, Effects, Reason, reasons};
 use super::file::{LimitsFile, MOST_PIXELS, MaterialFile, MediaFile, SceneFile, scene_schema};
 use super::files::{EmbeddedFiles, Files};
-use super::glass_reader::{dispersion, medium, split};
+use super::glass_reader::{check_materials, dispersion, medium, split};
 use super::lenient::Lenient;
 use super::light::{Light, LightKind};
 use super::light_reader::lights;
@@ -20,6 +20,7 @@ use super::projection::View;
 use super::rules::Rules;
 use super::solids::{Around, Cover, SolidReader, find_circles, place_of};
 use super::source::{locate, parse, to_value};
+use crate::optics::YELLOW;
 use crate::record::Effect;
 use glam::DVec3;
 use serde::Deserialize;
@@ -73,6 +74,7 @@ fn compile(file: SceneFile, files: &dyn Files, problems: &mut Problems) -> Optio
     let environment = file.environment.as_ref().and_then(|file| coats.environment(file.0.as_ref()?));
     let materials = materials(file.materials.or_default(), &mut coats);
     let objects = objects(&file.solids.or_default(), &file.objects.or_default(), &materials, problems);
+    check_materials(&materials, problems);
     require_environment(&materials, environment.is_some(), problems);
     let camera = camera?;
     if !problems.list.is_empty() {
@@ -160,9 +162,6 @@ fn pixels(file: &SceneFile, image: Image, problems: &mut Problems) -> Vec<[u32; 
     }
     pixels
 }
-
-/// The wavelength of the yellow line of helium in nanometres, at which indices of glass are told.
-const YELLOW: f64 = 587.5618;
 
 /// The materials, in the order of their names.
 fn materials(files: BTreeMap<String, Lenient<MaterialFile>>, coats: &mut CoatReader) -> Vec<Material> {

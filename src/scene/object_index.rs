@@ -19,6 +19,8 @@ pub struct ObjectIndex {
     pub projections: Vec<Projection>,
     /// The objects that are filled with a transparent material.
     pub transparent: Vec<usize>,
+    /// For each of them, by its place in the list, the other ones whose boxes meet its own, ascending; none for opaque objects.
+    pub touching: Vec<Vec<usize>>,
     /// Those of them that may hold the eye, or a point of its lens: those whose boxes do.
     pub around_the_eye: Vec<usize>,
     /// How far from the middle of the lens a point may lie for that list to hold; 0 for a pinhole.
@@ -52,10 +54,30 @@ impl ObjectIndex {
             unbounded,
             opaque: objects.iter().map(|object| !object.surface_materials().any(lets_through)).collect(),
             projections: objects.iter().map(|object| Projection::new(view, &object.solid.hull(), blur)).collect(),
+            touching: touching(&extents, &transparent),
             transparent,
             around_the_eye,
             eye_reach,
             skew,
         }
     }
+}
+
+/// For each object the other transparent ones whose boxes meet its own: swept along x.
+fn touching(extents: &[Extent], transparent: &[usize]) -> Vec<Vec<usize>> {
+    let mut touching = vec![Vec::new(); extents.len()];
+    let mut sorted = transparent.to_vec();
+    sorted.sort_by(|&a, &b| extents[a].low.x.total_cmp(&extents[b].low.x));
+    let mut open: Vec<usize> = Vec::new();
+    for object in sorted {
+        let own = extents[object];
+        open.retain(|&other| extents[other].high.x >= own.low.x);
+        for &other in open.iter().filter(|&&other| own.meets(extents[other])) {
+            touching[object].push(other);
+            touching[other].push(object);
+        }
+        open.push(object);
+    }
+    touching.iter_mut().for_each(|others| others.sort_unstable());
+    touching
 }

@@ -93,7 +93,7 @@ impl Tracer<'_> {
         let mut found = Vec::new();
         for index in self.reached(&course, recorder) {
             let list = self.intersect(index, ray, &course, recorder);
-            let ahead = ray.ahead(index, &self.scene.objects[index], &list);
+            let ahead = ray.ahead(index, self.scene, &list);
             ahead.report(&self.scene.objects[index], recorder);
             if !list.is_empty() || !ahead.list.is_empty() {
                 found.push(Found { object: index, list, ahead });
@@ -165,7 +165,12 @@ impl Tracer<'_> {
     }
 
     /// Step 3: the boundary that lies closest to and in front of the ray's start; the object list decides ties.
-    pub(super) fn find_closest_in_front<R: Recorder>(&self, found: &[Found], recorder: &mut R) -> Option<Closest> {
+    pub(super) fn find_closest_in_front<R: Recorder>(
+        &self,
+        ray: &Ray,
+        found: &[Found],
+        recorder: &mut R,
+    ) -> Option<Closest> {
         let mut closest: Option<Closest> = None;
         for candidate in found {
             if let Some((boundary, sense)) = candidate.ahead.list.first()
@@ -174,6 +179,7 @@ impl Tracer<'_> {
                 closest = Some(Closest { object: candidate.object, boundary, sense });
             }
         }
+        let closest = closest.map(|closest| self.first_of_interface(ray, closest));
         if R::RECORDING {
             self.report_rejected(found, closest, recorder);
         }
@@ -277,6 +283,8 @@ fn why_rejected(boundary: &Boundary, candidate: &Found, closest: Option<Closest>
         "this is the surface that the ray started on"
     } else if !candidate.ahead.list.crossed().contains(boundary) {
         "behind the start of the ray: t is not positive"
+    } else if closest.is_some_and(|c| c.object != candidate.object && boundary.t < c.boundary.t) {
+        "in the same place as the closest hit, within rounding: both are crossed as one"
     } else if closest.is_some_and(|c| c.object == candidate.object) {
         "later on the ray than the hit with the same object"
     } else {

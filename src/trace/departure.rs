@@ -46,6 +46,11 @@ pub struct Ahead {
 /// Roundings in a hit point's coordinates: the product, the sum, and the inverse transform on the way back.
 const POINT_ROUNDINGS: f64 = 8.0 * f64::EPSILON;
 
+/// Bound on how far the point where a ray meets a boundary may lie from the surface.
+pub(super) fn blur(boundary: &Boundary, incoming: DVec3, normal: DVec3, point: DVec3) -> f64 {
+    boundary.error * normal.dot(incoming).abs() + POINT_ROUNDINGS * normal.abs().dot(point.abs())
+}
+
 impl Departure {
     /// Leaving `surface`, which was hit along `incoming`, in the given direction.
     #[must_use]
@@ -55,9 +60,8 @@ impl Departure {
             (_, true) => Sense::Leave,
             (_, false) => Sense::Enter,
         };
-        let blur = surface.boundary.error * surface.n_geometric.dot(incoming).abs()
-            + POINT_ROUNDINGS * surface.n_geometric.abs().dot(surface.point.abs());
         let (boundary, normal) = (surface.boundary, surface.n_geometric);
+        let blur = blur(&boundary, incoming, normal, surface.point);
         Self { object: surface.object, boundary, sense, normal, blur }
     }
 
@@ -95,17 +99,62 @@ impl Departure {
 
     /// The boundaries behind the one that the ray started on; where that is not among them, those behind t = 0.
     fn behind_start(&self, solid: &Solid, [origin, direction]: [DVec3; 2], list: &IntervalList) -> Ahead {
-        let is_start = |boundary: &Boundary| {
-            let normal = solid.normal(boundary, origin + direction * boundary.t);
-            let slope = normal.dot(direction).abs();
-            boundary.t.abs() * slope <= 4.0 * self.blur + boundary.error * slope
-        };
         let start = (0..list.crossed().len())
-            .filter(|&k| list.sense(k) == self.sense && is_start(&list.crossed()[k]))
+            .filter(|&k| list.sense(k) == self.sense && self.is_start(solid, [origin, direction], &list.crossed()[k]))
             .min_by(|&a, &b| list.crossed()[a].t.abs().total_cmp(&list.crossed()[b].t.abs()));
         match start {
             Some(start) => Ahead::behind(start, list),
             None => Ahead::of(list),
+        }
+    }
+
+    /// Whether a boundary may be where the ray started.
+    fn is_start(&self, solid: &Solid, [origin, direction]: [DVec3; 2], boundary: &Boundary) -> bool {
+        let normal = solid.normal(boundary, origin + direction * boundary.t);
+        let slope = normal.dot(direction).abs();
+        boundary.t.abs() * slope <= 4.0 * self.blur + boundary.error * slope
+    }
+
+    /// What lies ahead of the ray in another object, which may have a boundary in the same place. Whether the ray is inside
+    /// it behind that boundary is known from what it crossed, and says on which side of the start the boundary belongs.
+    #[must_use]
+    pub fn ahead_in_neighbour(
+        &self,
+        solid: &Solid,
+        line: [DVec3; 2],
+        list: &IntervalList,
+        is_inside: bool,
+        list_from: impl FnOnce(DVec3) -> IntervalList,
+    ) -> Ahead {
+        let first = self.on_known_side(solid, line, list, is_inside);
+        if first.list.starts_inside() == is_inside {
+            return first;
+        }
+        let by = 2.0 * self.blur;
+        let [origin, direction] = line;
+        let start = origin + self.normal * by.copysign(self.normal.dot(direction));
+        let second = self.on_known_side(solid, [start, direction], &list_from(start), is_inside);
+        if second.list.starts_inside() == is_inside { Ahead { moved: Some(by), ..second } } else { first }
+    }
+
+    /// The boundaries in front, with the one that is next to the start counted if it is still to come and left out if not.
+    fn on_known_side(&self, solid: &Solid, line: [DVec3; 2], list: &IntervalList, is_inside: bool) -> Ahead {
+        let ahead = Ahead::of(list);
+        if ahead.list.starts_inside() == is_inside || list.ends().is_empty() {
+            return ahead;
+        }
+        let next = list.ends().iter().take_while(|boundary| boundary.t <= 0.0).count();
+        let is_near = |place: &usize| list.ends().get(*place).is_some_and(|end| self.is_start(solid, line, end));
+        let candidates = [Some(next), next.checked_sub(1)].into_iter().flatten().filter(is_near);
+        let start = candidates.min_by(|&a, &b| list.ends()[a].t.abs().total_cmp(&list.ends()[b].t.abs()));
+        match start {
+            Some(start) if start == next => Ahead::behind(start, list),
+            Some(start) => {
+                let mut still_to_come = list.after(next);
+                still_to_come.begin_with(Boundary { t: 0.0, ..list.ends()[start] });
+                Ahead { list: still_to_come, ..ahead }
+            }
+            None => ahead,
         }
     }
 

@@ -12,7 +12,7 @@ impl Tracer<'_> {
     #[must_use]
     pub fn first_surface(&self, ray: &Ray) -> Option<Surface> {
         let found = self.find_all_intersections(ray, &mut NullRecorder);
-        let closest = self.find_closest_in_front(&found, &mut NullRecorder)?;
+        let closest = self.find_closest_in_front(ray, &found, &mut NullRecorder)?;
         Some(self.compute_hit_point(ray, &closest, &mut NullRecorder))
     }
 

@@ -1,11 +1,16 @@
 //! Which medium a ray travels in, and what a boundary changes about it (§ 6.4.1, design policies 1 and 2).
 
-use super::closest::Surface;
+use super::closest::{Closest, Surface};
+use super::departure::blur;
 use super::ray::{Ray, Tracer};
 use crate::optics::{MediaStack, Policy};
 use crate::record::{Entry, NullRecorder, Recorder, Sense, What};
 use crate::scene::MediaPolicy;
 use glam::DVec3;
+use smallvec::SmallVec;
+
+/// Transparent objects that have a boundary in the same place, with their boundaries.
+type Shared = SmallVec<[Closest; 2]>;
 
 /// The media on the two sides of a boundary.
 #[derive(Clone, Debug)]
@@ -60,14 +65,55 @@ impl Tracer<'_> {
             return MediaCrossing { before, after: before, changed: None, hidden: false };
         }
         let mut media_after = ray.media.clone();
-        match surface.sense {
-            Sense::Enter => media_after.enter(surface.object),
-            Sense::Leave | Sense::Touch => media_after.leave(surface.object),
+        // What is left is left before anything is entered: the water that fills a glass begins where the glass ends.
+        let own = Closest { object: surface.object, boundary: surface.boundary, sense: surface.sense };
+        let mut crossed = self.sharing(ray, &own);
+        crossed.push(own);
+        crossed.sort_by_key(|closest| (closest.sense == Sense::Enter, closest.object));
+        for closest in &crossed {
+            match closest.sense {
+                Sense::Enter => media_after.enter(closest.object),
+                Sense::Leave | Sense::Touch => media_after.leave(closest.object),
+            }
         }
         let after = self.current_medium(&media_after);
         let crossing = MediaCrossing { before, after, changed: Some(media_after), hidden: before == after };
-        recorder.note(|| self.describe_crossing(ray, surface, &crossing));
+        recorder.note(|| self.describe_crossing(ray, &crossed, &crossing));
         crossing
+    }
+
+    /// Of transparent objects that have a boundary in the place of the closest hit, the boundary of the first in the object
+    /// list: rounding must not decide which of them is seen.
+    pub(super) fn first_of_interface(&self, ray: &Ray, closest: Closest) -> Closest {
+        let shared = self.sharing(ray, &closest);
+        shared.into_iter().next().filter(|first| first.object < closest.object).unwrap_or(closest)
+    }
+
+    /// The other transparent objects that have a boundary where the ray meets this one, in the order of the list. What is closer
+    /// together than the bounds on the errors of both is one interface, between the medium before all of them and the one
+    /// behind: the water in a full glass has no air around it.
+    fn sharing(&self, ray: &Ray, own: &Closest) -> Shared {
+        let others = &self.scene.index.touching[own.object];
+        if others.is_empty() || own.sense == Sense::Touch {
+            return Shared::new();
+        }
+        let point = ray.origin + ray.direction * own.boundary.t;
+        let normal = self.scene.objects[own.object].solid.normal(&own.boundary, point);
+        let own_blur = blur(&own.boundary, ray.direction, normal, point);
+        let shares = |&other: &usize| {
+            let solid = &self.scene.objects[other].solid;
+            if !solid.extent().holds_nearly(point, own_blur) {
+                return None;
+            }
+            let list = solid.inside::<f64>(ray.origin, ray.direction, &mut NullRecorder);
+            let (boundary, sense) = ray.ahead(other, self.scene, &list).list.first()?;
+            let normal_there = solid.normal(&boundary, point);
+            let slope = normal.dot(ray.direction).abs().max(normal_there.dot(ray.direction).abs());
+            let bound = own_blur + blur(&boundary, ray.direction, normal_there, point);
+            let is_shared = sense != Sense::Touch && (boundary.t - own.boundary.t).abs() * slope <= bound;
+            is_shared.then_some(Closest { object: other, boundary, sense })
+        };
+        others.iter().filter_map(shares).collect()
     }
 
     /// The object whose medium the ray travels in; none in air.
@@ -93,7 +139,8 @@ impl Tracer<'_> {
         self.scene.materials[self.scene.objects[object].material].transparency > 0.0
     }
 
-    fn describe_crossing(&self, ray: &Ray, surface: &Surface, crossing: &MediaCrossing) -> Entry {
+    fn describe_crossing(&self, ray: &Ray, crossed: &[Closest], crossing: &MediaCrossing) -> Entry {
+        let names: Vec<&str> = crossed.iter().map(|closest| self.scene.objects[closest.object].name.as_str()).collect();
         let overlap = ray.media.overlap() || crossing.changed.as_ref().is_some_and(MediaStack::overlap);
         let interpenetration = overlap && self.scene.media == MediaPolicy::Forbid;
         let decided = match self.scene.media {
@@ -105,7 +152,7 @@ impl Tracer<'_> {
             MediaPolicy::Priority => "policy 2: the object with the highest priority wins",
         };
         Entry::new(What::Medium {
-            object: self.scene.objects[surface.object].name.clone(),
+            object: names.join(" and "),
             before: self.medium_name(crossing.before),
             after: self.medium_name(crossing.after),
             decided: decided.to_owned(),

@@ -26,7 +26,7 @@ impl Tracer<'_> {
             }
             closest.map_or(f64::INFINITY, |best| best.boundary.t)
         });
-        closest
+        closest.map(|closest| self.first_of_interface(ray, closest))
     }
 
     /// The share of a light at `limit` that arrives along a shadow ray: nothing behind the first opaque object.
@@ -125,7 +125,7 @@ impl Tracer<'_> {
         is_met: bool,
         recorder: &mut R,
     ) -> Option<(Boundary, Sense)> {
-        if ray.departure.is_some_and(|departure| departure.object == object) {
+        if ray.starts_at(object, self.scene) {
             self.ahead_in(object, ray, course, is_met, recorder).list.first()
         } else {
             self.scene.objects[object].solid.first_in_front(course, is_met, recorder)
@@ -167,7 +167,7 @@ impl Tracer<'_> {
         }
         let list =
             if is_met { solid.inside_within(course, recorder) } else { solid.inside_along::<f64>(course, recorder) };
-        ray.ahead(object, &self.scene.objects[object], &list)
+        ray.ahead(object, self.scene, &list)
     }
 }
 

@@ -143,6 +143,7 @@ fn trace_row(
         }
         let known = side < coarsest && x.is_multiple_of(2 * side) && y.is_multiple_of(2 * side);
         if !known {
+            tally.begin_pixel([x, y]);
             let colour = trace_pixel_with(tracer, x, y, &mut tally);
             let block = x as usize..x.saturating_add(side).min(width) as usize;
             band.chunks_mut(width as usize).for_each(|line| line[block.clone()].fill(colour));

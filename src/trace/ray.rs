@@ -8,7 +8,7 @@ use crate::csg::{Course, IntervalList, Solid};
 use crate::optics::MediaStack;
 use crate::record::{Counter, Effect, Entry, NullRecorder, RayKind, Recorder, What};
 use crate::sample::Stream;
-use crate::scene::{Glance, Object, Rgb, Scene, Shortcuts, Sights};
+use crate::scene::{Glance, Rgb, Scene, Shortcuts, Sights};
 use glam::DVec3;
 
 /// A ray P(t) = origin + direction t in world space.
@@ -36,6 +36,8 @@ pub struct Ray {
     pub beam: Option<Box<Beam>>,
     /// The one wavelength that it has, in nanometres, once it has met a dispersive surface; none for light of all of them.
     pub wavelength: Option<f64>,
+    /// What its colour counts, by colour and up to a factor.
+    pub tint: Rgb,
     /// How often its path was turned in a medium.
     pub turns: u32,
     /// Its random numbers.
@@ -45,6 +47,10 @@ pub struct Ray {
 /// Rays that a pixel may spawn. Depth alone does not bound them: where each ray spawns two, every level doubles them.
 /// Fewer would cut off what can be seen in glass within mirrors; more would let one pixel take minutes.
 pub(super) const MOST_RAYS: u32 = 1 << 16;
+
+/// How often a path may be turned in media. Fewer would darken thick clouds that absorb nothing, from which half of the light
+/// comes after dozens of turns; more would cost time for what can hardly be seen.
+pub(super) const MOST_TURNS: u32 = 64;
 
 impl Ray {
     /// A ray from the eye, in air.
@@ -63,6 +69,7 @@ impl Ray {
             place,
             beam: None,
             wavelength: None,
+            tint: Rgb::ONE,
             turns: 0,
             stream: Stream::default(),
         }
@@ -73,15 +80,24 @@ impl Ray {
         self.departure.is_some_and(|departure| departure.object == index && departure.is_for_good(solid))
     }
 
-    /// Which of an object's boundaries along the ray count.
-    pub(super) fn ahead(&self, index: usize, object: &Object, list: &IntervalList) -> Ahead {
+    /// Which of an object's boundaries along the ray count. `scene` says which objects may share a boundary.
+    pub(super) fn ahead(&self, index: usize, scene: &Scene, list: &IntervalList) -> Ahead {
+        let solid = &scene.objects[index].solid;
+        let line = [self.origin, self.direction];
+        let list_from = |origin| solid.inside::<f64>(origin, self.direction, &mut NullRecorder);
         match self.departure {
-            Some(departure) if departure.object == index => {
-                let list_from = |origin| object.solid.inside::<f64>(origin, self.direction, &mut NullRecorder);
-                departure.ahead(&object.solid, [self.origin, self.direction], list, list_from)
+            Some(departure) if departure.object == index => departure.ahead(solid, line, list, list_from),
+            Some(departure) if scene.index.touching[departure.object].contains(&index) => {
+                departure.ahead_in_neighbour(solid, line, list, self.media.contains(index), list_from)
             }
             _ => Ahead::of(list),
         }
+    }
+
+    /// Whether the ray starts on the object, or on one that may share a boundary with it.
+    pub(super) fn starts_at(&self, object: usize, scene: &Scene) -> bool {
+        let touches = |departed: usize| departed == object || scene.index.touching[departed].contains(&object);
+        self.departure.is_some_and(|departure| touches(departure.object))
     }
 }
 
@@ -151,17 +167,25 @@ impl<'a> Tracer<'a> {
         recorder.count(Counter::Ray(ray.kind));
         let closest = if R::RECORDING {
             let found = step(ray, 2, recorder, |recorder| self.find_all_intersections(ray, recorder));
-            step(ray, 3, recorder, |recorder| self.find_closest_in_front(&found, recorder))
+            step(ray, 3, recorder, |recorder| self.find_closest_in_front(ray, &found, recorder))
         } else {
             self.nearest(ray, recorder)
         };
         let mut surface = step(ray, 4, recorder, |recorder| {
             closest.as_ref().map(|closest| self.compute_hit_point(ray, closest, recorder))
         });
-        step(ray, 5, recorder, |recorder| match &mut surface {
+        step(ray, 5, recorder, |recorder| match self.filling(ray) {
+            None => self.see(ray, surface.as_mut(), recorder),
+            Some(filling) => self.see_through(ray, &filling, surface.as_mut(), recorder),
+        })
+    }
+
+    /// The light that comes from where the ray ends.
+    pub(super) fn see<R: Recorder>(&self, ray: &Ray, surface: Option<&mut Surface>, recorder: &mut R) -> Rgb {
+        match surface {
             Some(surface) => self.find_colour(ray, surface, recorder),
             None => self.see_background(ray, recorder),
-        })
+        }
     }
 
     /// A ray from the eye, in the media that the eye is inside.
@@ -202,6 +226,7 @@ impl<'a> Tracer<'a> {
     /// Step 5: the colour of the light that returns along the ray from the hit point.
     fn find_colour<R: Recorder>(&self, ray: &Ray, surface: &mut Surface, recorder: &mut R) -> Rgb {
         let crossing = self.cross_media(ray, surface, recorder);
+        self.report_overlaps(ray, surface, &crossing, recorder);
         let mut components = Components::default();
         if crossing.hidden {
             components.transmitted = self.pass_straight_through(ray, surface, &crossing, recorder);

@@ -2,7 +2,6 @@
 
 use super::departure::{Ahead, Departure};
 use super::ray::{Ray, Tracer};
-use crate::optics::MediaStack;
 use crate::record::{Counter, Effect, Entry, RayKind, Recorder, What};
 use crate::scene::{Light, LightKind, Rgb};
 use glam::DVec3;
@@ -92,11 +91,11 @@ impl Tracer<'_> {
             weight: ray.weight,
             budget: 0,
             departure,
-            // Only for the account: shadow rays are not bent.
-            media: if R::RECORDING { ray.media.clone() } else { MediaStack::default() },
+            media: ray.media.clone(),
             place: None,
             beam: None,
             wavelength: ray.wavelength,
+            tint: ray.tint,
             turns: ray.turns,
             stream: ray.stream,
         };
@@ -121,7 +120,7 @@ impl Tracer<'_> {
         for index in self.reached(&course, recorder) {
             let object = &self.scene.objects[index];
             let list = self.intersect(index, shadow, &course, recorder);
-            let ahead = shadow.ahead(index, object, &list);
+            let ahead = shadow.ahead(index, self.scene, &list);
             ahead.report(object, recorder);
             share *= self.passed(shadow, index, &ahead, limit, recorder);
             if share == 0.0 {

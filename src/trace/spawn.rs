@@ -3,11 +3,12 @@
 use super::beam::{Beam, Corners};
 use super::closest::Surface;
 use super::departure::Departure;
+use super::division::{Division, Through};
 use super::media::MediaCrossing;
-use super::ray::{Components, MOST_RAYS, Ray, Tracer};
-use crate::optics::{MediaStack, Optics, reflect, refract, snell_entry};
-use crate::record::{Counter, Effect, Entry, RayKind, Recorder, What};
-use crate::scene::{Material, Rgb};
+use super::ray::{Components, MOST_RAYS, MOST_TURNS, Ray, Tracer};
+use crate::optics::{MediaStack, reflect};
+use crate::record::{Counter, Effect, Entry, RayKind, Recorder, Value, What};
+use crate::scene::{ALL_EFFECTS, Material, Rgb, Split};
 use glam::DVec3;
 
 /// The place where a ray meets a surface, with all that decides what it spawns there.
@@ -29,6 +30,10 @@ struct Offspring {
     media: MediaStack,
     /// How many rays it may spawn in turn; none where its parent may not even spawn it.
     budget: Option<u32>,
+    /// Its wavelength in nanometres, where it has one.
+    wavelength: Option<f64>,
+    /// Tells its random numbers from those of the other rays that its parent spawns.
+    branch: u32,
 }
 
 /// What is left for each of some rays that are spawned together.
@@ -46,38 +51,48 @@ impl Tracer<'_> {
         components: &mut Components,
         recorder: &mut R,
     ) {
+        if !ALL_EFFECTS {
+            return;
+        }
         let Meeting { surface, material, corners } = meeting;
-        let transmission = (material.transparency > 0.0).then(|| self.bend(ray, surface, crossing, recorder));
-        let all_is_reflected = transmission.as_ref().is_some_and(|optics| optics.refracted.is_none());
-        let extra = if all_is_reflected { material.transparency } else { 0.0 };
-        let share = material.reflectivity + extra;
-        let refracted = transmission.and_then(|optics| optics.refracted);
-        let budget = budget_for_each(ray, u32::from(share > 0.0) + u32::from(refracted.is_some()));
-        if share > 0.0 {
+        let Division { mirrored: share, name, through } = self.divide(ray, meeting, crossing, recorder);
+        let mirroring = self.mirrored_for(material, through.is_empty()).filter(|_| share != Rgb::ZERO);
+        let budget = budget_for_each(ray, u32::from(mirroring.is_some()) + through.len() as u32);
+        if let Some(effect) = mirroring {
             let direction = surface.kept_outside(reflect(ray.direction, surface.n_shading));
-            recorder.note(|| describe_reflection(ray, surface, direction, share));
-            // Where all light is reflected inside glass, it is the glass that calls for the mirrored ray.
-            let effect = if material.reflectivity > 0.0 { Effect::Reflection } else { Effect::Refraction };
-            recorder.count(Counter::Call(effect));
-            let (kind, media) = (RayKind::Reflected, ray.media.clone());
+            recorder.note(|| describe_reflection(ray, surface, direction, share, name));
+            Self::enter(effect, recorder);
+            let (kind, media, wavelength) = (RayKind::Reflected, ray.media.clone(), ray.wavelength);
             let beam = corners.as_deref().map(|corners| Beam::mirrored(corners, surface));
-            let share = Rgb::splat(share);
-            let offspring = Offspring { effect, kind, direction, beam, share, media, budget };
+            let branch = kind as u32;
+            let offspring = Offspring { effect, kind, direction, beam, share, media, budget, wavelength, branch };
             components.reflected = self.look(ray, meeting, offspring, recorder);
         }
-        if let Some(direction) = refracted {
-            let effect = Effect::Refraction;
-            recorder.count(Counter::Call(effect));
+        for (number, Through { direction, indices, share, wavelength }) in (0..).zip(through) {
+            if number == 0 {
+                Self::enter(Effect::Refraction, recorder);
+            }
+            // Without dispersion there would be one ray.
+            let effect = if number == 0 { Effect::Refraction } else { Effect::Dispersion };
             let (kind, media) = (RayKind::Refracted, crossing.media_after(ray));
             let direction = surface.kept_inside(direction);
-            let indices =
-                [crossing.before, crossing.after].map(|medium| self.index_of_refraction(medium, ray.wavelength));
             let way = [ray.direction, direction];
             let beam = corners.as_deref().map(|corners| Beam::bent(corners, surface, way, indices));
-            let share = Rgb::splat(material.transparency);
-            let offspring = Offspring { effect, kind, direction, beam, share, media, budget };
-            components.transmitted = self.look(ray, meeting, offspring, recorder);
+            let branch = kind as u32 + number * RayKind::ALL.len() as u32;
+            let offspring = Offspring { effect, kind, direction, beam, share, media, budget, wavelength, branch };
+            components.transmitted += self.look(ray, meeting, offspring, recorder);
         }
+    }
+
+    /// What calls for a mirrored ray, if anything does. Where light is reflected inside glass because it cannot get out, that is
+    /// the glass.
+    fn mirrored_for(&self, material: &Material, nothing_passes: bool) -> Option<Effect> {
+        let has_weights = material.split == Split::Weights;
+        if self.calls_for(Effect::Reflection) && (material.reflectivity > 0.0 || !has_weights) {
+            return Some(Effect::Reflection);
+        }
+        let is_total = material.transparency > 0.0 && (has_weights || nothing_passes);
+        (is_total && self.calls_for(Effect::Refraction)).then_some(Effect::Refraction)
     }
 
     /// What comes back from a direction: along a ray, or from the environment alone where the material asks for that.
@@ -101,36 +116,30 @@ impl Tracer<'_> {
         let budget = budget_for_each(ray, 1);
         let beam = self.corners(ray, surface).map(|corners| Beam::straight_on(&corners));
         let share = Rgb::ONE;
-        let effect = Effect::Refraction;
-        let offspring = Offspring { effect, kind, direction: ray.direction, beam, share, media, budget };
+        let (effect, branch) = (Effect::Refraction, kind as u32);
+        let (direction, wavelength) = (ray.direction, ray.wavelength);
+        let offspring = Offspring { effect, kind, direction, beam, share, media, budget, wavelength, branch };
         self.spawn(ray, surface, offspring, recorder)
-    }
-
-    fn bend(&self, ray: &Ray, surface: &Surface, crossing: &MediaCrossing, recorder: &mut impl Recorder) -> Optics {
-        let n1 = self.index_of_refraction(crossing.before, ray.wavelength);
-        let n2 = self.index_of_refraction(crossing.after, ray.wavelength);
-        let optics = refract(ray.direction, surface.n_shading, n1, n2);
-        recorder.note(|| snell_entry(ray.direction, surface.n_shading, n1, n2, &optics));
-        optics
     }
 
     /// Sends a ray from the surface and returns its colour times `share`, or black where a limit stops it.
     fn spawn<R: Recorder>(&self, parent: &Ray, surface: &Surface, offspring: Offspring, recorder: &mut R) -> Rgb {
-        let Offspring { effect, kind, direction, beam, share, media, budget } = offspring;
+        let Offspring { effect, kind, direction, beam, share, media, budget, wavelength, branch } = offspring;
         let ray = Ray {
             kind,
             origin: surface.point,
             direction,
             depth: parent.depth + 1,
-            weight: parent.weight * share.max_element(),
+            weight: parent.weight * share.abs().max_element(),
             budget: budget.unwrap_or(0),
             departure: Some(Departure::new(surface, parent.direction, direction)),
             media,
             place: None,
             beam,
-            wavelength: parent.wavelength,
+            wavelength,
+            tint: parent.tint * share,
             turns: parent.turns,
-            stream: parent.stream.branch(kind as u32),
+            stream: parent.stream.branch(branch),
         };
         if self.stopped_by_a_limit(&ray, budget.is_none(), recorder) {
             return Rgb::ZERO;
@@ -142,10 +151,12 @@ impl Tracer<'_> {
         colour
     }
 
-    fn stopped_by_a_limit(&self, ray: &Ray, used_up: bool, recorder: &mut impl Recorder) -> bool {
+    pub(super) fn stopped_by_a_limit(&self, ray: &Ray, used_up: bool, recorder: &mut impl Recorder) -> bool {
         let limits = self.scene.limits;
         let (limit, at, value) = if ray.depth > limits.depth {
             ("depth", f64::from(limits.depth), f64::from(ray.depth))
+        } else if ray.turns > MOST_TURNS {
+            ("turns", f64::from(MOST_TURNS), f64::from(ray.turns))
         } else if ray.weight < limits.contribution {
             ("contribution", limits.contribution, ray.weight)
         } else if used_up {
@@ -165,12 +176,14 @@ impl Tracer<'_> {
     }
 }
 
-fn describe_reflection(ray: &Ray, surface: &Surface, mirrored: DVec3, share: f64) -> Entry {
+/// `name` is what the working before this calls the share.
+fn describe_reflection(ray: &Ray, surface: &Surface, mirrored: DVec3, share: Rgb, name: Option<&'static str>) -> Entry {
     let bindings = [("dir", ray.direction.to_array().into()), ("m", surface.n_shading.to_array().into())];
-    Entry::new(What::Reflection { direction: mirrored.to_array(), share, shares: None }).line(
-        "r",
-        "dir − 2 (dir · m) m",
-        &bindings,
-        mirrored.to_array(),
-    )
+    let is_grey = share == Rgb::splat(share.x);
+    let shares = (!is_grey).then(|| share.to_array());
+    let what = What::Reflection { direction: mirrored.to_array(), share: share.max_element(), shares };
+    let entry = Entry::new(what).line("r", "dir − 2 (dir · m) m", &bindings, mirrored.to_array());
+    let Some(name) = name else { return entry };
+    let value = shares.map_or(Value::Number(share.x), Value::Vector);
+    entry.line("share", name, &[(name, value)], value)
 }

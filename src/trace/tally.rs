@@ -1,10 +1,11 @@
 //! Counts what a picture took.
 
+use super::overlap::Overlaps;
 use crate::record::{Counter, Effect, Entry, RayKind, Recorder};
 use crate::shape::Shape;
 
 /// A [`Recorder`] that counts and keeps nothing else.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Tally {
     rays: [u64; RayKind::ALL.len()],
     shape_tests: Vec<u64>,
@@ -12,13 +13,14 @@ pub struct Tally {
     extent_misses: u64,
     calls: [u64; Effect::ALL.len()],
     sent: [u64; Effect::ALL.len()],
+    overlaps: Overlaps,
 }
 
 impl Default for Tally {
     fn default() -> Self {
         let shape_tests = vec![0; Shape::NAMES.len()];
         let (rays, calls, sent) = ([0; RayKind::ALL.len()], [0; Effect::ALL.len()], [0; Effect::ALL.len()]);
-        Self { rays, shape_tests, extent_tests: 0, extent_misses: 0, calls, sent }
+        Self { rays, shape_tests, extent_tests: 0, extent_misses: 0, calls, sent, overlaps: Overlaps::default() }
     }
 }
 
@@ -59,6 +61,17 @@ impl Tally {
         self.sent[effect as usize]
     }
 
+    /// Where transparent objects fill the same space, which the scene forbids.
+    #[must_use]
+    pub const fn overlaps(&self) -> &Overlaps {
+        &self.overlaps
+    }
+
+    /// What is counted from now on belongs to this pixel.
+    pub(super) fn begin_pixel(&mut self, pixel: [u32; 2]) {
+        self.overlaps.begin_pixel(pixel);
+    }
+
     /// Adds the counts of another part of the picture.
     #[must_use]
     pub fn plus(mut self, other: &Self) -> Self {
@@ -67,6 +80,7 @@ impl Tally {
         add(&mut self.shape_tests, &other.shape_tests);
         add(&mut self.calls, &other.calls);
         add(&mut self.sent, &other.sent);
+        self.overlaps = self.overlaps.plus(&other.overlaps);
         self.extent_tests += other.extent_tests;
         self.extent_misses += other.extent_misses;
         self
@@ -88,6 +102,7 @@ impl Recorder for Tally {
             Counter::ExtentMiss => self.extent_misses += 1,
             Counter::Call(effect) => self.calls[effect as usize] += 1,
             Counter::Sent(effect) => self.sent[effect as usize] += 1,
+            Counter::Overlap { objects, interval } => self.overlaps.add(objects, interval),
         }
     }
 }

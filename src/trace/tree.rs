@@ -26,12 +26,14 @@ impl RayTree {
 
     fn colour_of_ray(&self) -> Triple {
         let steps = self.children(0).filter(|event| matches!(event.what, What::Step { .. }));
-        let mut found = steps.flat_map(|step| self.children(step.id)).filter_map(|event| match event.what {
-            What::Colour { total, .. } => Some(total),
-            What::Nothing { background } => Some(background),
+        let found = steps.flat_map(|step| self.children(step.id)).filter_map(|event| match &event.what {
+            What::Colour { total, .. } => Some(*total),
+            What::Nothing { background } => Some(*background),
+            // Of a ray in a medium this comes last, and holds all of it.
+            What::Passage(passage) => Some(passage.colour),
             _ => None,
         });
-        found.next().unwrap_or_default()
+        found.last().unwrap_or_default()
     }
 
     /// The event with this number.

@@ -2,7 +2,8 @@
 
 use super::sample::Sketch;
 use crate::record::{
-    Average, Conductor, Confusion, Lens, LightSample, Overlap, Phase, Sample, Scatter, Segment, Wavelength, What,
+    Average, Conductor, Confusion, Lens, LightSample, Overlap, Passage, Phase, Sample, Scatter, Segment, Wavelength,
+    What,
 };
 
 /// The second sample of a pixel, half a pixel to the right of its centre.
@@ -58,6 +59,30 @@ pub fn light_sample() -> What {
     })
 }
 
+/// A stretch of length 1 in mist.
+pub fn segment() -> Segment {
+    Segment {
+        medium: "mist".into(),
+        from: [0.0, 0.0, -0.5],
+        to: Some([0.0, 0.0, -1.5]),
+        length: 1.0,
+        absorption: [0.25; 3],
+        scattering: [0.5; 3],
+        transmittance: [0.472_366_552_741_014_7; 3],
+    }
+}
+
+/// Light from a lamp at an angle of 37° to the ray, in mist that turns light every way alike.
+pub fn phase() -> Phase {
+    Phase {
+        towards: "lamp".into(),
+        anisotropy: 0.0,
+        cosine: 0.8,
+        value: 0.079_577_471_545_947_67,
+        direction: [0.0, 0.6, 0.8],
+    }
+}
+
 /// A wavelength, a metal, a medium with a point in it, and two objects that overlap.
 pub fn light_on_its_way(sketch: &mut Sketch) {
     sketch.note(What::Wavelength(Wavelength {
@@ -68,24 +93,19 @@ pub fn light_on_its_way(sketch: &mut Sketch) {
         share: [0.1, 0.4, 0.9],
         n1: 1.0,
         n2: 1.5,
+        theta1: 30.0,
         theta2: Some(19.471_220_634_490_69),
         direction: Some([0.0, -0.6, -0.8]),
+        reflectance: 0.041_5,
     }));
     sketch.note(What::Conductor(Conductor {
         eta: [0.16, 0.42, 1.51],
         k: [3.65, 2.47, 1.87],
+        n1: 1.0,
         theta: 0.0,
         reflectance: [0.95, 0.8, 0.4],
     }));
-    sketch.note(What::Segment(Segment {
-        medium: "mist".into(),
-        from: [0.0, 0.0, -0.5],
-        to: Some([0.0, 0.0, -1.5]),
-        length: 1.0,
-        absorption: [0.25; 3],
-        scattering: [0.5; 3],
-        transmittance: [0.472_366_552_741_014_7; 3],
-    }));
+    sketch.note(What::Segment(segment()));
     let scatter = Scatter {
         medium: "mist".into(),
         number: 1,
@@ -97,13 +117,14 @@ pub fn light_on_its_way(sketch: &mut Sketch) {
         colour: [0.1; 3],
     };
     sketch.with(What::Scatter(scatter), |s| {
-        s.note(What::Phase(Phase {
-            towards: "lamp".into(),
-            anisotropy: 0.0,
-            cosine: 0.8,
-            value: 0.079_577_471_545_947_67,
-            direction: [0.0, 0.6, 0.8],
-        }));
+        s.note(What::Phase(phase()));
     });
+    sketch.note(What::Passage(Passage {
+        medium: "mist".into(),
+        behind: [1.0, 0.5, 0.0],
+        passes: [0.472_366_552_741_014_7; 3],
+        scattered: [0.1; 3],
+        colour: [0.572_366_552_741_014_7, 0.336_183_276_370_507_35, 0.1],
+    }));
     sketch.note(What::Overlap(Overlap { first: "bowl".into(), second: "water".into(), interval: [0.5, 1.5] }));
 }

@@ -94,7 +94,7 @@ struct Reader<'a> {
     bars: usize,
 }
 
-const FUNCTIONS: [&str; 9] = ["arccos", "arcsin", "arctan", "cos", "sin", "max", "min", "sign", "⌊"];
+const FUNCTIONS: [&str; 11] = ["arccos", "arcsin", "arctan", "cos", "sin", "exp", "ln", "max", "min", "sign", "⌊"];
 
 impl Reader<'_> {
     fn skip(&mut self) {
@@ -223,6 +223,8 @@ impl Reader<'_> {
             "arctan" => angle(&value, f64::atan)?,
             "cos" => value.map(|x| x.to_radians().cos(), |_| 0.0175),
             "sin" => value.map(|x| x.to_radians().sin(), |_| 0.0175),
+            "exp" => value.map(f64::exp, f64::exp),
+            "ln" => value.map(f64::ln, f64::recip),
             other => return Err(format!("no function `{other}`")),
         })
     }

@@ -103,7 +103,9 @@ impl SideView<'_> {
             What::Extent { inside: Some([near, far]), .. } => vec![[*near, *far]],
             What::Combine { combined, .. } => combined.iter().map(ends).collect(),
             What::Object { .. } | What::Primitive { .. } => self.spans_below(),
-            What::Ray { .. } | What::Colour { .. } | What::LooseRay { .. } => vec![[0.0, self.known_end(&flight)]],
+            What::Ray { .. } | What::Colour { .. } | What::LooseRay { .. } | What::Segment(_) | What::Passage(_) => {
+                vec![[0.0, self.known_end(&flight)]]
+            }
             _ => Vec::new(),
         };
         for [from, to] in bands {

@@ -1,11 +1,11 @@
 //! Everything that the events of cameras, wavelengths and media hold, and what they mean.
 
 use super::detail::{DetailLine, pair};
-use super::format::{degrees, vector};
+use super::format::{degrees, percent, vector};
 use super::texture_row::place;
 use crate::record::{
-    Average, Conductor, Confusion, Lens, LightSample, Overlap, Phase, Sample, Scatter, Segment, Wavelength, What,
-    format_number,
+    Average, Conductor, Confusion, Lens, LightSample, Overlap, Passage, Phase, Sample, Scatter, Segment, Wavelength,
+    What, format_number,
 };
 
 /// The lines of an event of this kind.
@@ -26,11 +26,12 @@ pub(super) fn effect_lines(what: &What) -> Option<Vec<DetailLine>> {
         ],
         What::LightSample(sample) => light_sample_lines(sample),
         What::Wavelength(wavelength) => wavelength_lines(wavelength),
-        What::Conductor(Conductor { eta, k, theta, reflectance }) => vec![
+        What::Conductor(Conductor { eta, k, n1, theta, reflectance }) => vec![
             pair("η", vector(*eta)),
             pair("k", vector(*k)),
+            pair("n₁", format_number(*n1)),
             pair("θ₁", degrees(*theta)),
-            pair("reflectance", vector(*reflectance)),
+            pair("R", vector(*reflectance)),
         ],
         What::Segment(segment) => segment_lines(segment),
         What::Scatter(scatter) => scatter_lines(scatter),
@@ -40,6 +41,13 @@ pub(super) fn effect_lines(what: &What) -> Option<Vec<DetailLine>> {
             pair("cosθ", format_number(*cosine)),
             pair("p per steradian", format_number(*value)),
             pair("direction", vector(*direction)),
+        ],
+        What::Passage(Passage { medium, behind, passes, scattered, colour }) => vec![
+            pair("medium", medium.clone()),
+            pair("light from the far end", vector(*behind)),
+            pair("share of it", vector(*passes)),
+            pair("light turned on the way", vector(*scattered)),
+            pair("colour", vector(*colour)),
         ],
         What::Overlap(Overlap { first, second, interval: [from, to] }) => vec![
             pair("first", first.clone()),
@@ -89,6 +97,10 @@ pub(super) fn explain_effect(what: &What) -> Option<&'static str> {
              light is turned there."
         }
         What::Phase(_) => "Not every angle is alike: the phase function says how much light is turned by this one.",
+        What::Passage(_) => {
+            "What is left of the light from the far end, and what the medium has turned towards the start of the ray on the \
+             way."
+        }
         What::Overlap(_) => {
             "Design policy 1: transparent objects may not fill the same space. These two do, so the scene should be mended."
         }
@@ -135,12 +147,14 @@ fn wavelength_lines(wavelength: &Wavelength) -> Vec<DetailLine> {
     let mut lines = vec![
         pair("λ in nm", format_number(wavelength.nanometres)),
         pair("width of its band in nm", format_number(wavelength.band)),
-        pair("share of white", vector(wavelength.share)),
+        pair("S, the share of white", vector(wavelength.share)),
         pair("n₁", format_number(wavelength.n1)),
         pair("n₂", format_number(wavelength.n2)),
     ];
+    lines.push(pair("θ₁", degrees(wavelength.theta1)));
     lines.extend(wavelength.theta2.map(|theta2| pair("θ₂", degrees(theta2))));
     lines.extend(wavelength.direction.map(|direction| pair("direction", vector(direction))));
+    lines.push(pair("Fresnel reflectance, unpolarised", percent(wavelength.reflectance)));
     lines
 }
 

@@ -106,7 +106,7 @@ pub(super) fn number_list(numbers: &[f64]) -> String {
 }
 
 /// An angle in degrees.
-pub(super) fn degrees(angle: f64) -> String {
+pub fn degrees(angle: f64) -> String {
     format!("{}°", brief(angle))
 }
 

@@ -1,5 +1,6 @@
-//! What a surface carries, and the lens that it is seen through, as a drawing: the pixel on the texels, a lattice cell, octaves, a spline, rings, a bump, a frame,
-//! the environment, a detail.
+//! What happens to a ray as a drawing: what a surface carries (the pixel on the texels, a lattice cell, octaves, a spline, rings,
+//! a bump, a frame, the environment, a detail), the lens that it is seen through, white light taken apart, what a medium does to
+//! light on its way.
 //!
 //! One file for each kind of event, all of one signature: a [`Sheet`] and what the event holds.
 
@@ -8,9 +9,14 @@ mod chart;
 mod clip;
 mod detail;
 mod environment;
+mod fading;
+mod fan;
+#[cfg(test)]
+mod fan_tests;
 mod frame_map;
 mod lattice;
 mod lens;
+mod lobe;
 mod octaves;
 mod picture;
 mod rings;
@@ -27,7 +33,7 @@ use crate::record::{EventId, What};
 use crate::scene::Scene;
 use crate::trace::RayTree;
 use sheet::Sheet;
-use telling::{footprint_of, lens_of, point_of, telling};
+use telling::{footprint_of, lens_of, phases_of, point_of, telling, turned_on};
 
 /// The drawing of a look-up, bump, frame or detail: that of `selected` itself, or of the most telling one that belongs to
 /// it (to a texture: what is below it; to a hit: what its surface carries). Where the scene is given, the image of its
@@ -56,6 +62,9 @@ pub fn texture_plot(
         }
         What::Detail(detail) => detail::draw(&mut sheet, detail),
         What::Lens(_) | What::Confusion(_) => lens::draw(&mut sheet, &lens_of(tree, event)?),
+        What::Wavelength(_) => fan::draw(&mut sheet, &fan::sent_together(tree, event)),
+        What::Segment(segment) => fading::draw(&mut sheet, segment, &turned_on(tree, event)),
+        What::Scatter(_) | What::Phase(_) => lobe::draw(&mut sheet, &phases_of(tree, event)),
         _ => return None,
     }
     Some(sheet.drawing)

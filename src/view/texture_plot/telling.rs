@@ -1,7 +1,7 @@
 //! Which event is drawn for the one that is selected, and what else its drawing needs.
 
 use super::lens::Seen;
-use crate::record::{Environment, EventId, Mapping, Texels, Texture, Triple, What};
+use crate::record::{Environment, Event, EventId, Mapping, Phase, Texels, Texture, Triple, What};
 use crate::trace::RayTree;
 
 /// The event that tells most about `selected`: itself if it has a drawing, else the best of those that belong to it.
@@ -61,6 +61,10 @@ const fn rank(what: &What) -> Option<u8> {
         What::Environment(_) => 9,
         What::Lens(_) => 10,
         What::Confusion(_) => 11,
+        What::Wavelength(_) => 12,
+        What::Segment(_) => 13,
+        What::Scatter(_) => 14,
+        What::Phase(_) => 15,
         _ => return None,
     })
 }
@@ -79,6 +83,31 @@ pub(super) fn lens_of(tree: &RayTree, id: EventId) -> Option<Seen<'_>> {
     let lens = events().find_map(|what| if let What::Lens(lens) = what { Some(lens) } else { None })?;
     let confusion = events().find_map(|what| if let What::Confusion(own) = what { Some(own) } else { None });
     Some(Seen { lens, confusion })
+}
+
+/// How far along the ray light is turned on a stretch in a medium: at the points told beside it.
+pub(super) fn turned_on(tree: &RayTree, segment: EventId) -> Vec<f64> {
+    let Some(parent) = tree.event(segment).parent else { return Vec::new() };
+    let later = tree.children(parent).filter(|event| event.id > segment);
+    // The next stretch, or what comes out of this one, ends it.
+    let own = later.take_while(|event| !matches!(event.what, What::Segment(_) | What::Passage(_)));
+    let distances = own.filter_map(|event| match &event.what {
+        What::Scatter(scatter) => Some(scatter.distance),
+        _ => None,
+    });
+    distances.collect()
+}
+
+/// Every angle that the phase function was asked for at a point: for a point those below it, for one of them that alone.
+pub(super) fn phases_of<'t>(tree: &'t RayTree, id: EventId) -> Vec<&'t Phase> {
+    let phase = |event: &'t Event| match &event.what {
+        What::Phase(phase) => Some(phase),
+        _ => None,
+    };
+    match phase(tree.event(id)) {
+        Some(own) => vec![own],
+        None => tree.children(id).filter_map(phase).collect(),
+    }
 }
 
 /// What the drawing of texels needs, from as many events as there are.

@@ -42,6 +42,8 @@ fn all() -> Vec<(&'static str, What)> {
         ("frame_map", What::FrameMap(sample::frame_map())),
         ("environment", What::Environment(sample::environment())),
         ("lens", effects::lens()),
+        ("segment", What::Segment(effects::segment())),
+        ("phase", What::Phase(effects::phase())),
     ]
 }
 
@@ -74,7 +76,7 @@ fn extent(form: &Form) -> Frame {
     }
 }
 
-fn assert_readable(drawing: &Drawing, what: &str) {
+pub(super) fn assert_readable(drawing: &Drawing, what: &str) {
     let canvas = drawing.frame().grown(0.01);
     for mark in &drawing.marks {
         assert!(canvas.holds(&extent(&mark.form)), "{what}: {:?} is cut off", mark.form);
@@ -127,9 +129,15 @@ fn spoiled(by: f64) -> Vec<What> {
     (environment.at, environment.footprint[2], environment.size) = (pair, pair, [0, u32::MAX]);
     let What::Lens(lens) = effects::lens() else { unreachable!("it is a lens") };
     let lens = crate::record::Lens { radius: by, at: pair, point: triple, focus: triple, ..lens };
+    let mut segment = effects::segment();
+    (segment.length, segment.absorption, segment.transmittance) = (by, triple, triple);
+    let mut phase = effects::phase();
+    (phase.anisotropy, phase.cosine, phase.value) = (by, -by, by);
     vec![
         What::Lens(lens.clone()),
         What::Lens(crate::record::Lens { focus_distance: by, eye: triple, ..lens }),
+        What::Segment(segment),
+        What::Phase(phase),
         What::Detail(detail),
         What::Mapping(mapping),
         What::Texels(texels),
