@@ -164,6 +164,43 @@ fn pov_ray_draws_the_same_pictures() {
     }
 }
 
+/// The means of blocks of 4 × 4 pixels, where noise has gone and blur stays.
+fn blocks(picture: &[u8], width: usize) -> Vec<f64> {
+    let rows = picture.len() / 3 / width;
+    let block = |x: usize, y: usize, channel: usize| {
+        let places = (0..16).map(|k| ((4 * y + k / 4) * width + 4 * x + k % 4) * 3 + channel);
+        places.map(|place| f64::from(picture[place])).sum::<f64>() / 16.0
+    };
+    let all = (0..rows / 4).flat_map(|y| (0..width / 4).map(move |x| (x, y)));
+    all.flat_map(|(x, y)| [0, 1, 2].map(|channel| block(x, y, channel))).collect()
+}
+
+/// The mean difference of blocks, of 255.
+fn mean_difference(one: &[u8], other: &[u8], width: usize) -> f64 {
+    let (one, other) = (blocks(one, width), blocks(other, width));
+    one.iter().zip(&other).map(|(a, b)| (a - b).abs()).sum::<f64>() / one.len() as f64
+}
+
+#[test]
+fn pov_ray_blurs_what_is_out_of_focus_alike() {
+    let Some(theirs) = povray::picture(&path("g_dof", "pov"), 160, 120) else { return };
+    let scene = imported("g_dof");
+    let with_focus = |focus: f64, radius: f64| {
+        let mut scene = scene.clone();
+        let lens = scene.lens.as_mut().unwrap();
+        (lens.focus, lens.radius) = (lens.focus * focus, lens.radius * radius);
+        mean_difference(&povray::ours(scene, 160, 120), &theirs, 160)
+    };
+    let alike = with_focus(1.0, 1.0);
+    // In a picture so small the noise of 64 samples hides what is less than that.
+    for (focus, radius) in [(0.85, 1.0), (1.3, 1.0), (1.0, 0.25), (1.0, 1.5)] {
+        let other = with_focus(focus, radius);
+
+        assert!(alike < 0.8 * other, "{alike} as it is, {other} with {focus} of its focus and {radius} of its radius");
+    }
+    assert!(alike < 0.75, "{alike}");
+}
+
 /// Both programs have noise of their own, so the pictures are not compared.
 #[test]
 fn the_textured_scene_is_read_with_its_patterns_and_its_bumps() {

@@ -5,6 +5,7 @@
 //!
 //! **Source.** The POV-Ray 3.7 reference: sections on the camera, finishes, CSG and transformations.
 
+use super::camera::RADII_IN_APERTURE;
 use super::povray_material::texture;
 use crate::csg::{Leaf, Node};
 use crate::record::Operator;
@@ -101,7 +102,7 @@ fn camera(scene: &Scene) -> Result<String, String> {
     ))
 }
 
-/// POV-Ray's lens is a disc, and its aperture the disc's diameter; without variance it sends as many rays as it is told.
+/// POV-Ray's lens is a disc; without variance it sends as many rays as it is told.
 fn lens(scene: &Scene) -> Result<String, String> {
     let Some(lens) = &scene.lens else { return Ok(String::new()) };
     if lens.aperture != Aperture::Disc {
@@ -109,7 +110,7 @@ fn lens(scene: &Scene) -> Result<String, String> {
         return Err(format!("camera: POV-Ray's lens is a disc, and an aperture of the kind `{kind}` has no equal"));
     }
     let focus = vector(scene.camera.eye + scene.camera.forward * lens.focus);
-    let (aperture, samples) = (2.0 * lens.radius, scene.sampling.samples);
+    let (aperture, samples) = (RADII_IN_APERTURE * lens.radius, scene.sampling.samples);
     Ok(format!(
         "\n  aperture {aperture:?} focal_point {focus} blur_samples {samples}, {samples} variance 0 confidence 0.999"
     ))

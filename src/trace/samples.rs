@@ -78,7 +78,7 @@ impl Gathered {
             samples: self.count(),
             filter: filter.name().to_owned(),
             weights,
-            error: error.map(|error| error.max_element()),
+            error: error.map(Rgb::max_element),
             stopped: stop.describe(self.count()),
             colour: mean.to_array(),
         }))

@@ -119,6 +119,7 @@ fn first(tree: &RayTree) -> Flight {
 fn light_end(tree: &RayTree, parent: Option<EventId>, direction: Triple) -> End {
     let distance = parent.and_then(|parent| match &tree.event(parent).what {
         What::Light { distance, .. } => *distance,
+        What::LightSample(sample) => Some(sample.distance),
         _ => None,
     });
     End::Light(distance.map_or(f64::INFINITY, |distance| distance / DVec3::from_array(direction).length()))
@@ -134,7 +135,10 @@ mod tests {
         let tree = sample::every_kind();
         let flights = Flights::of(&tree);
         let kinds: Vec<_> = flights.all.iter().map(|flight| flight.kind).collect();
-        assert_eq!(kinds, [RayKind::Camera, RayKind::Shadow, RayKind::Reflected, RayKind::Refracted]);
+        assert_eq!(
+            kinds,
+            [RayKind::Camera, RayKind::Shadow, RayKind::Reflected, RayKind::Scattered, RayKind::Refracted]
+        );
         assert!(matches!(flights.all[0].end, End::Hit { t, .. } if t == 4.5));
         // The light is 5 away along a unit direction, and a quarter of its light passes what is in the way.
         assert_eq!(flights.all[1].end, End::Light(5.0));

@@ -24,8 +24,8 @@ JSON format ("peer-scene/1")
     superellipsoid  e, n : (|x|^(2/e) + |y|^(2/e))^(e/n) + |z|^(2/n) = 1
     plane           normal (unit), distance: dot(p, normal) = distance; the solid is the half-space below it
     union | intersection | difference      children (first minus all the others for a difference)
-  dof         {aperture, focal_point, samples}: POV-Ray's meaning: lens diameter `aperture`, the plane of focus goes
-              through `focal_point`, perpendicular to the view direction
+  dof         {aperture, focal_point, samples}: POV-Ray's meaning: `aperture` is four times the lens's radius, and the plane of
+              focus goes through `focal_point`, perpendicular to the view direction
   materials   {pigment, ambient, diffuse, phong, phong_size, reflection, transmit?, ior?}
               colour = pigment*(1-transmit)*(ambient + sum_lights diffuse*max(0,N.L)*light) + sum phong*max(0,R.L)^phong_size*light
                        + reflection * reflected ray + transmit * refracted ray (Snell; total reflection replaces it)

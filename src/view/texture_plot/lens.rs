@@ -76,12 +76,14 @@ fn side(sheet: &mut Sheet, Seen { lens, confusion }: &Seen, cut: &Cut, frame: Fr
     let end = confusion.map_or(1.5 * distance, |confusion| confusion.depth);
     let along = |from: f64, z: f64| from + (focus - from) * z / distance;
     let far = 1.08 * end.max(distance);
-    let reach = [0.0, end, distance].into_iter().flat_map(|z| [-radius, radius].map(|from| along(from, z).abs()));
-    let height = 1.15 * reach.fold(0.0, f64::max);
-    if !(far.is_finite() && height.is_finite() && far > 0.0 && height > 0.0 && distance > 0.0) {
+    let reach = || [0.0, end, distance].into_iter().flat_map(|z| [-radius, radius].map(|from| along(from, z)));
+    let [low, high] = [reach().fold(0.0, f64::min), reach().fold(0.0, f64::max)];
+    let margin = 0.08 * (high - low);
+    if !(far.is_finite() && margin.is_finite() && far > 0.0 && margin > 0.0 && distance > 0.0) {
         return;
     }
-    let chart = Chart::free(frame, [-0.04 * far, far], [-height, height]);
+    let (low, high) = (low - margin, high + margin);
+    let chart = Chart::free(frame, [-0.04 * far, far], [low, high]);
     let line = |from: f64, z: f64| chart.all_at(&[[0.0, from], [z, along(from, z)]]);
     let faint = Stroke::solid(sheet.palette.faint, 1.0);
     let rays = [line(-radius, end), line(radius, end)];
@@ -103,7 +105,7 @@ fn side(sheet: &mut Sheet, Seen { lens, confusion }: &Seen, cut: &Cut, frame: Fr
             sheet.line(&chart.frame, &onwards(from), Stroke::dashed(sheet.palette.faint, 1.0, [3.0, 3.0]));
         }
     }
-    let plane = chart.all_at(&[[distance, -height], [distance, height]]);
+    let plane = chart.all_at(&[[distance, low], [distance, high]]);
     sheet.line(&chart.frame, &plane, Stroke::dashed(sheet.palette.normal, 1.6, [5.0, 4.0]));
     let own = line(start, end);
     sheet.line(&chart.frame, &own, Stroke::solid(sheet.palette.ground, 4.0));
