@@ -18,7 +18,7 @@ const LAYERS: &[(&str, &[&str])] = &[
     ("view", &["record", "math", "shape", "csg", "optics", "texture", "sample", "scene", "trace"]),
     ("accuracy", &["record", "math", "shape", "csg", "optics", "texture", "sample", "scene", "trace", "view"]),
     ("ledger", &["record", "scene", "trace"]),
-    ("peer", &["record", "shape", "csg", "scene"]),
+    ("peer", &["record", "shape", "csg", "sample", "scene"]),
     (
         "cli",
         &[

@@ -15,9 +15,9 @@ use crate::optics::{
     Band, Dispersion, Optics, bands, conductor_entry, incidence, index_lines, metal_reflectance, refract, snell_entry,
     wavelength_entry,
 };
-use crate::record::{Counter, Effect, Entry, Recorder, Value};
+use crate::record::{Effect, Entry, Recorder, Value};
 use crate::sample::Purpose;
-use crate::scene::{ALL_EFFECTS, Rgb, Split};
+use crate::scene::{Rgb, Split};
 use glam::DVec3;
 use smallvec::{SmallVec, smallvec};
 
@@ -102,10 +102,9 @@ impl Tracer<'_> {
         crossing: &MediaCrossing,
         recorder: &mut R,
     ) -> Division {
-        let calls_for = |effect| ALL_EFFECTS && self.scene.effects.has(effect);
         let material = meeting.material;
-        let weigh = |weight: f64, effect| if weight > 0.0 && calls_for(effect) { weight } else { 0.0 };
-        let split = if calls_for(Effect::Fresnel) { material.split } else { Split::Weights };
+        let weigh = |weight: f64, effect| if weight > 0.0 && self.calls_for(effect) { weight } else { 0.0 };
+        let split = if self.calls_for(Effect::Fresnel) { material.split } else { Split::Weights };
         if let Split::Conductor { eta, k } = split {
             return self.divide_at_metal(ray, meeting, crossing, [eta, k], recorder);
         }
@@ -115,7 +114,7 @@ impl Tracer<'_> {
             fresnel: split == Split::Dielectric,
         };
         if weights.fresnel {
-            recorder.count(Counter::Call(Effect::Fresnel));
+            Self::enter(Effect::Fresnel, recorder);
             if weights.transparency == 0.0 || crossing.before == crossing.after {
                 return self.divide_at_varnish(ray, meeting, crossing, weights, recorder);
             }
@@ -123,8 +122,8 @@ impl Tracer<'_> {
         if weights.transparency == 0.0 {
             return Division { mirrored: Rgb::splat(weights.reflectivity), name: None, through: SmallVec::new() };
         }
-        if calls_for(Effect::Dispersion) && ray.wavelength.is_none() && self.is_dispersive(crossing) {
-            recorder.count(Counter::Call(Effect::Dispersion));
+        if self.calls_for(Effect::Dispersion) && ray.wavelength.is_none() && self.is_dispersive(crossing) {
+            Self::enter(Effect::Dispersion, recorder);
             return self.divide_by_wavelength(ray, meeting, crossing, weights, recorder);
         }
         self.divide_together(ray, meeting, crossing, weights, recorder)
@@ -230,7 +229,7 @@ impl Tracer<'_> {
         [eta, k]: [Rgb; 2],
         recorder: &mut R,
     ) -> Division {
-        recorder.count(Counter::Call(Effect::Fresnel));
+        Self::enter(Effect::Fresnel, recorder);
         let n1 = self.index_of_refraction(crossing.before, ray.wavelength);
         let vectors = [ray.direction, meeting.surface.n_shading];
         let mirrored = metal_reflectance(incidence(vectors[0], vectors[1]), n1, eta, k);

@@ -10,7 +10,7 @@ use super::beam::Beam;
 use super::closest::Surface;
 use super::pixel::{Aim, frame_bindings, place_lines};
 use super::ray::{Ray, Tracer};
-use crate::record::{Confusion, Counter, Effect, Entry, Recorder, What};
+use crate::record::{Confusion, Effect, Entry, Recorder, What};
 use crate::sample::{Aperture, Purpose};
 use crate::scene::{Glance, Lens};
 use glam::DVec3;
@@ -60,12 +60,12 @@ impl<'a> Tracer<'a> {
 
     /// A point of the lens's opening, in units of its radius.
     fn lens_point(&self, lens: &Lens, aim: &Aim, recorder: &mut impl Recorder) -> [f64; 2] {
-        recorder.count(Counter::Call(Effect::DepthOfField));
+        Self::enter(Effect::DepthOfField, recorder);
         let square = aim.stream.square(Purpose::Lens);
-        if !self.calls_for(Effect::ApertureShape) {
+        if lens.aperture == Aperture::Disc || !self.calls_for(Effect::ApertureShape) {
             return Aperture::Disc.point(square);
         }
-        recorder.count(Counter::Call(Effect::ApertureShape));
+        Self::enter(Effect::ApertureShape, recorder);
         lens.aperture.point(square)
     }
 

@@ -110,7 +110,7 @@ impl Tracer<'_> {
     }
 
     fn takes_several(&self) -> bool {
-        self.calls_for(Effect::Antialiasing)
+        self.calls_for(Effect::Antialiasing) && self.scene.sampling.is_many()
     }
 
     /// The mean colour of the samples of a pixel; `stream` is that of its first one.
@@ -141,7 +141,7 @@ impl Tracer<'_> {
         recorder.begin();
         let (mut offset, mut weight) = ([0.0; 2], 1.0);
         if is_moved {
-            recorder.count(Counter::Call(Effect::Antialiasing));
+            Self::enter(Effect::Antialiasing, recorder);
             if number > 0 {
                 recorder.count(Counter::Sent(Effect::Antialiasing));
             }

@@ -83,13 +83,13 @@ impl<'a> Tracer<'a> {
         if !self.calls_for(Effect::Attenuation) {
             return Rgb::ONE;
         }
-        Self::enter(Effect::Attenuation, recorder);
         let mut media = shadow.media.clone();
         let mut clearness = Rgb::ONE;
         let mut from = 0.0;
         let mut pass = |media: &MediaStack, from: f64, to: f64, recorder: &mut R| {
             let filling = self.current_medium(media).and_then(|object| self.filling_of(object));
             if let Some(filling) = filling.filter(|_| to > from) {
+                Self::enter(Effect::Attenuation, recorder);
                 let stretch = Stretch::new(filling, shadow, [from, to]);
                 clearness *= stretch.transmittance();
                 recorder.note(|| self.describe_segment(shadow, &stretch));

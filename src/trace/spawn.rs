@@ -36,6 +36,9 @@ struct Offspring {
     branch: u32,
 }
 
+/// At least as many as there are kinds of rays.
+const MOST_KINDS: u32 = 256;
+
 /// What is left for each of some rays that are spawned together.
 fn budget_for_each(parent: &Ray, count: u32) -> Option<u32> {
     parent.budget.checked_sub(count).map(|left| left / count.max(1))
@@ -56,15 +59,13 @@ impl Tracer<'_> {
         }
         let Meeting { surface, material, corners } = meeting;
         let Division { mirrored: share, name, through } = self.divide(ray, meeting, crossing, recorder);
-        let is_mirrored = share != Rgb::ZERO;
-        let budget = budget_for_each(ray, u32::from(is_mirrored) + through.len() as u32);
-        if is_mirrored {
+        let mirroring = self.mirrored_for(material, through.is_empty()).filter(|_| share != Rgb::ZERO);
+        let passing = u32::try_from(through.len()).unwrap_or(u32::MAX);
+        let budget = budget_for_each(ray, u32::from(mirroring.is_some()).saturating_add(passing));
+        if let Some(effect) = mirroring {
             let direction = surface.kept_outside(reflect(ray.direction, surface.n_shading));
             recorder.note(|| describe_reflection(ray, surface, direction, share, name));
-            // Where all light is reflected inside glass, it is the glass that calls for the mirrored ray.
-            let mirrors = material.reflectivity > 0.0 || material.split != Split::Weights;
-            let effect = if mirrors { Effect::Reflection } else { Effect::Refraction };
-            recorder.count(Counter::Call(effect));
+            Self::enter(effect, recorder);
             let (kind, media, wavelength) = (RayKind::Reflected, ray.media.clone(), ray.wavelength);
             let beam = corners.as_deref().map(|corners| Beam::mirrored(corners, surface));
             let branch = kind as u32;
@@ -73,7 +74,7 @@ impl Tracer<'_> {
         }
         for (number, Through { direction, indices, share, wavelength }) in (0..).zip(through) {
             if number == 0 {
-                recorder.count(Counter::Call(Effect::Refraction));
+                Self::enter(Effect::Refraction, recorder);
             }
             // Without dispersion there would be one ray.
             let effect = if number == 0 { Effect::Refraction } else { Effect::Dispersion };
@@ -81,10 +82,21 @@ impl Tracer<'_> {
             let direction = surface.kept_inside(direction);
             let way = [ray.direction, direction];
             let beam = corners.as_deref().map(|corners| Beam::bent(corners, surface, way, indices));
-            let branch = kind as u32 + number * RayKind::ALL.len() as u32;
+            let branch = kind as u32 + number * MOST_KINDS;
             let offspring = Offspring { effect, kind, direction, beam, share, media, budget, wavelength, branch };
             components.transmitted += self.look(ray, meeting, offspring, recorder);
         }
+    }
+
+    /// What calls for a mirrored ray, if anything does. Where light is reflected inside glass because it cannot get out, that is
+    /// the glass.
+    fn mirrored_for(&self, material: &Material, nothing_passes: bool) -> Option<Effect> {
+        let has_weights = material.split == Split::Weights;
+        if self.calls_for(Effect::Reflection) && (material.reflectivity > 0.0 || !has_weights) {
+            return Some(Effect::Reflection);
+        }
+        let is_total = material.transparency > 0.0 && (has_weights || nothing_passes);
+        (is_total && self.calls_for(Effect::Refraction)).then_some(Effect::Refraction)
     }
 
     /// What comes back from a direction: along a ray, or from the environment alone where the material asks for that.

@@ -72,7 +72,7 @@ fn the_fan_is_the_one_that_was_looked_at() {
 #[test]
 fn each_ray_goes_on_at_its_own_angle_as_much_larger_as_the_drawing_says() {
     for (glass, times) in
-        [(Dispersion::DIAMOND, 20.0), (Dispersion::BK7, 20.0), (Dispersion::Cauchy([1.2, 0.1, 0.0]), 1.0)]
+        [(Dispersion::DIAMOND, 50.0), (Dispersion::SF11, 20.0), (Dispersion::Cauchy([1.0, 0.2, 0.0]), 1.0)]
     {
         let all = wavelengths(8, &glass);
         let drawing = drawn(all.clone(), 2, SIZE, Theme::Dark);

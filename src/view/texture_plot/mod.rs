@@ -1,5 +1,6 @@
 //! What happens to a ray as a drawing: what a surface carries (the pixel on the texels, a lattice cell, octaves, a spline, rings,
-//! a bump, a frame, the environment, a detail), the lens that it is seen through, white light taken apart, what a medium does.
+//! a bump, a frame, the environment, a detail), the lens that it is seen through, white light taken apart, what a medium does to
+//! light on its way.
 //!
 //! One file for each kind of event, all of one signature: a [`Sheet`] and what the event holds.
 

@@ -75,6 +75,16 @@ fn ray_above(tree: &RayTree, id: EventId) -> EventId {
     above.find(|&id| matches!(tree.event(id).what, What::Ray { .. })).unwrap_or(0)
 }
 
+/// The lens that an event belongs to, and how far out of focus the hit of its ray is. None where the lens was not recorded.
+pub(super) fn lens_of(tree: &RayTree, id: EventId) -> Option<Seen<'_>> {
+    let is_sample = |id: &EventId| matches!(tree.event(*id).what, What::Sample(_));
+    let first = tree.path(id).into_iter().rev().find(is_sample).unwrap_or(0);
+    let events = || (first..tree.subtree_end(first)).map(|id| &tree.event(id).what);
+    let lens = events().find_map(|what| if let What::Lens(lens) = what { Some(lens) } else { None })?;
+    let confusion = events().find_map(|what| if let What::Confusion(own) = what { Some(own) } else { None });
+    Some(Seen { lens, confusion })
+}
+
 /// How far along the ray light is turned on a stretch in a medium: at the points told beside it.
 pub(super) fn turned_on(tree: &RayTree, segment: EventId) -> Vec<f64> {
     let Some(parent) = tree.event(segment).parent else { return Vec::new() };
@@ -98,16 +108,6 @@ pub(super) fn phases_of<'t>(tree: &'t RayTree, id: EventId) -> Vec<&'t Phase> {
         Some(own) => vec![own],
         None => tree.children(id).filter_map(phase).collect(),
     }
-}
-
-/// The lens that an event belongs to, and how far out of focus the hit of its ray is. None where the lens was not recorded.
-pub(super) fn lens_of(tree: &RayTree, id: EventId) -> Option<Seen<'_>> {
-    let is_sample = |id: &EventId| matches!(tree.event(*id).what, What::Sample(_));
-    let first = tree.path(id).into_iter().rev().find(is_sample).unwrap_or(0);
-    let events = || (first..tree.subtree_end(first)).map(|id| &tree.event(id).what);
-    let lens = events().find_map(|what| if let What::Lens(lens) = what { Some(lens) } else { None })?;
-    let confusion = events().find_map(|what| if let What::Confusion(own) = what { Some(own) } else { None });
-    Some(Seen { lens, confusion })
 }
 
 /// What the drawing of texels needs, from as many events as there are.

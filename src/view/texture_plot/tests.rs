@@ -127,17 +127,17 @@ fn spoiled(by: f64) -> Vec<What> {
     (frame.after[0], frame.roughness) = (triple, pair);
     let mut environment = sample::environment();
     (environment.at, environment.footprint[2], environment.size) = (pair, pair, [0, u32::MAX]);
+    let What::Lens(lens) = effects::lens() else { unreachable!("it is a lens") };
+    let lens = crate::record::Lens { radius: by, at: pair, point: triple, focus: triple, ..lens };
     let mut segment = effects::segment();
     (segment.length, segment.absorption, segment.transmittance) = (by, triple, triple);
     let mut phase = effects::phase();
     (phase.anisotropy, phase.cosine, phase.value) = (by, -by, by);
-    let What::Lens(lens) = effects::lens() else { unreachable!("it is a lens") };
-    let lens = crate::record::Lens { radius: by, at: pair, point: triple, focus: triple, ..lens };
     vec![
-        What::Segment(segment),
-        What::Phase(phase),
         What::Lens(lens.clone()),
         What::Lens(crate::record::Lens { focus_distance: by, eye: triple, ..lens }),
+        What::Segment(segment),
+        What::Phase(phase),
         What::Detail(detail),
         What::Mapping(mapping),
         What::Texels(texels),
