@@ -16,9 +16,17 @@ pub enum Policy {
 }
 
 /// The transparent objects that a ray is inside, in the order in which it entered them.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Debug, Default, PartialEq, Eq)]
 pub struct MediaStack {
     objects: SmallVec<[usize; INLINE]>,
+}
+
+/// Every ray has one, so it is copied as a block and not object by object.
+impl Clone for MediaStack {
+    #[inline]
+    fn clone(&self) -> Self {
+        if self.objects.is_empty() { Self::default() } else { Self { objects: SmallVec::from_slice(&self.objects) } }
+    }
 }
 
 impl MediaStack {

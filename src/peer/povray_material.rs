@@ -5,7 +5,7 @@
 //! the ambient colour is to it.
 
 use super::povray::vector;
-use crate::scene::{Material, Rgb};
+use crate::scene::{Material, Rgb, Split};
 
 /// The texture.
 ///
@@ -15,6 +15,10 @@ pub(super) fn texture(material: &Material) -> Result<String, String> {
     let at_fault = |message: &str| format!("material `{}`: {message}", material.name);
     if material.coat.is_some() {
         return Err(at_fault("it carries a texture, a bump or a grain, and these have no equal in POV-Ray's language"));
+    }
+    if material.split != Split::Weights || material.dispersion.is_some() || material.medium.is_some() {
+        let what = "it has weights by Fresnel's equations, dispersion or a medium";
+        return Err(at_fault(&format!("{what}, and these are not written in POV-Ray's language")));
     }
     let (opaque, highlight) = (1.0 - material.transparency, material.specular.x);
     if material.specular != Rgb::splat(highlight) {
@@ -50,7 +54,6 @@ pub(super) fn texture(material: &Material) -> Result<String, String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::Split;
 
     fn material() -> Material {
         Material {

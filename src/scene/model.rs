@@ -58,6 +58,13 @@ pub enum Split {
 }
 
 impl Material {
+    /// Whether it mirrors light or lets it through.
+    #[inline]
+    #[must_use]
+    pub fn sends_rays(&self) -> bool {
+        self.reflectivity > 0.0 || self.transparency > 0.0 || self.split != Split::Weights
+    }
+
     /// The index of refraction for a wavelength in nanometres, or for light of all of them.
     #[must_use]
     pub fn index_at(&self, wavelength: Option<f64>) -> f64 {

@@ -17,6 +17,7 @@ struct Sums {
 
 impl Tracer<'_> {
     /// Diffuse and specular term of a light that has a size: the means over its points.
+    #[inline(never)]
     pub(super) fn area_light<R: Recorder>(
         &self,
         place: &Shaded,

@@ -32,14 +32,28 @@ impl<'a> Tracer<'a> {
     ) -> Finish<'a> {
         let material = &self.scene.materials[surface.material];
         let mut finish = Finish { material, ambient: material.ambient, diffuse: material.diffuse, grain: None };
-        let Some(coat) = material.coat.as_ref().filter(|_| ALL_EFFECTS) else { return finish };
+        if let Some(coat) = material.coat.as_ref().filter(|_| ALL_EFFECTS) {
+            self.lay_on(coat, surface, corners, &mut finish, recorder);
+        }
+        finish
+    }
+
+    /// Puts what the material carries on the surface.
+    #[inline(never)]
+    fn lay_on<R: Recorder>(
+        &self,
+        coat: &Coat,
+        surface: &mut Surface,
+        corners: Option<&[Corner; 4]>,
+        finish: &mut Finish,
+        recorder: &mut R,
+    ) {
         finish.grain = self.turn(surface, coat, recorder);
         if let Some(texture) = coat.texture.as_ref().filter(|texture| self.calls_for(texture.effect())) {
             let pigment = self.pigment(surface, texture, corners, recorder);
             finish.ambient *= pigment;
             finish.diffuse *= pigment;
         }
-        finish
     }
 
     /// Turns the normal by what the material's bump says, and the frame by its grain, which is returned with its roughness.

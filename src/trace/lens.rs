@@ -25,6 +25,7 @@ impl<'a> Tracer<'a> {
     /// The ray through a point of the lens and the place on the image plane. With d the direction from the middle of the
     /// lens, F = E + f d is in focus; L = E + r (x right + y up) is the point of the lens, and the direction is
     /// (F − L) / f = d − (L − E) / f.
+    #[inline(never)]
     pub(super) fn ray_through_lens(
         &self,
         lens: &Lens,

@@ -63,6 +63,7 @@ impl Tracer<'_> {
     }
 
     /// Diffuse and specular term of one light that is a point or a direction.
+    #[inline(always)]
     fn light<R: Recorder>(&self, place: &Shaded, index: usize, recorder: &mut R) -> [Rgb; 2] {
         recorder.begin();
         let light = &self.scene.lights[index];
@@ -87,6 +88,7 @@ impl Tracer<'_> {
     }
 
     /// What arrives on one way: I k_d max(0, n·l) and I k_s max(0, r·v)^f, r being l mirrored at n.
+    #[inline(always)]
     pub(super) fn terms<R: Recorder>(&self, place: &Shaded, way: &Way, recorder: &mut R) -> Terms {
         let Shaded { ray, surface, finish } = *place;
         let n_dot_l = surface.n_shading.dot(way.towards);

@@ -1,4 +1,8 @@
 //! Tracing: the six steps of § 6.1, shading, spawned rays, whole pictures, and the tree of a recorded pixel.
+#![expect(
+    clippy::inline_always,
+    reason = "what every ray runs stays in one piece, as it would be without the effects that call the same functions"
+)]
 
 mod area_light;
 mod beam;

@@ -83,6 +83,17 @@ impl Tracer<'_> {
         if self.scene.media != MediaPolicy::Forbid || ray.media.is_empty() || surface.sense != Sense::Enter {
             return;
         }
+        self.report_overlaps_of(ray, surface, crossing, recorder);
+    }
+
+    #[inline(never)]
+    fn report_overlaps_of<R: Recorder>(
+        &self,
+        ray: &Ray,
+        surface: &Surface,
+        crossing: &MediaCrossing,
+        recorder: &mut R,
+    ) {
         let media = crossing.media_after(ray);
         if !media.contains(surface.object) {
             return;

@@ -71,10 +71,12 @@ impl Aim {
 
 impl Tracer<'_> {
     /// Step 1: the ray from the eye through a point of the picture.
+    #[inline(always)]
     pub(super) fn build_ray(&self, aim: &Aim, recorder: &mut impl Recorder) -> Ray {
         recorder.event(|recorder| self.build_ray_within(aim, recorder), |_| Entry::new(describe_step(1)))
     }
 
+    #[inline(always)]
     fn build_ray_within(&self, aim: &Aim, recorder: &mut impl Recorder) -> Ray {
         let (camera, image) = (&self.scene.camera, self.scene.image);
         let place = camera.place(image, aim.at[0], aim.at[1]);

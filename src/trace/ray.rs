@@ -181,6 +181,7 @@ impl<'a> Tracer<'a> {
     }
 
     /// The light that comes from where the ray ends.
+    #[inline(always)]
     pub(super) fn see<R: Recorder>(&self, ray: &Ray, surface: Option<&mut Surface>, recorder: &mut R) -> Rgb {
         match surface {
             Some(surface) => self.find_colour(ray, surface, recorder),
@@ -215,6 +216,7 @@ impl<'a> Tracer<'a> {
     }
 
     /// The light from infinitely far away, against `direction`; the background where the scene has no environment.
+    #[inline(never)]
     pub(super) fn see_environment<R: Recorder>(&self, direction: DVec3, beam: Option<&Beam>, recorder: &mut R) -> Rgb {
         let environment = self.scene.environment.as_ref().filter(|_| self.calls_for(Effect::Environment));
         let Some(environment) = environment else { return self.scene.background };
@@ -224,6 +226,7 @@ impl<'a> Tracer<'a> {
     }
 
     /// Step 5: the colour of the light that returns along the ray from the hit point.
+    #[inline(always)]
     fn find_colour<R: Recorder>(&self, ray: &Ray, surface: &mut Surface, recorder: &mut R) -> Rgb {
         let crossing = self.cross_media(ray, surface, recorder);
         self.report_overlaps(ray, surface, &crossing, recorder);

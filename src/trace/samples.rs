@@ -114,6 +114,7 @@ impl Tracer<'_> {
     }
 
     /// The mean colour of the samples of a pixel; `stream` is that of its first one.
+    #[inline(never)]
     pub(super) fn trace_samples<R: Recorder>(&self, pixel: [u32; 2], stream: Stream, recorder: &mut R) -> Rgb {
         let several = self.takes_several();
         let sampling = if several { self.scene.sampling } else { Sampling { samples: 1, ..Sampling::CENTRE } };

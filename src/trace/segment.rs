@@ -54,6 +54,7 @@ impl<'a> Tracer<'a> {
 
     /// The light that comes back along a ray in a medium: what is left of the light from its end, and what is turned
     /// towards its start on the way.
+    #[inline(never)]
     pub(super) fn see_through<R: Recorder>(
         &self,
         ray: &Ray,
@@ -79,10 +80,13 @@ impl<'a> Tracer<'a> {
     }
 
     /// The share of a light at `limit` that the media along a shadow ray let through, by colour.
+    #[inline(always)]
     pub(super) fn clearness<R: Recorder>(&self, shadow: &Ray, limit: f64, recorder: &mut R) -> Rgb {
-        if !self.calls_for(Effect::Attenuation) {
-            return Rgb::ONE;
-        }
+        if self.calls_for(Effect::Attenuation) { self.clearness_of_media(shadow, limit, recorder) } else { Rgb::ONE }
+    }
+
+    #[inline(never)]
+    fn clearness_of_media<R: Recorder>(&self, shadow: &Ray, limit: f64, recorder: &mut R) -> Rgb {
         let mut media = shadow.media.clone();
         let mut clearness = Rgb::ONE;
         let mut from = 0.0;

@@ -78,6 +78,7 @@ impl Shade {
 impl Tracer<'_> {
     /// The share of a light that arrives, by colour: a shadow ray, stopped by the first opaque object. Each surface
     /// of a transparent object passes its transparency, as it does for a ray from the eye; shadow rays are not bent.
+    #[inline(always)]
     pub(super) fn arriving<R: Recorder>(&self, start: &Start, way: &Way, recorder: &mut R) -> Rgb {
         if !self.calls_for(way.effect) {
             return Rgb::ONE;

@@ -46,6 +46,7 @@ fn budget_for_each(parent: &Ray, count: u32) -> Option<u32> {
 
 impl Tracer<'_> {
     /// Adds what comes back along the reflected and the transmitted ray.
+    #[inline(always)]
     pub(super) fn add_spawned<R: Recorder>(
         &self,
         ray: &Ray,
@@ -54,9 +55,22 @@ impl Tracer<'_> {
         components: &mut Components,
         recorder: &mut R,
     ) {
-        if !ALL_EFFECTS {
-            return;
+        if ALL_EFFECTS && meeting.material.sends_rays() {
+            self.add_mirrored_and_transmitted(ray, meeting, crossing, components, recorder);
         }
+    }
+
+    /// What [`add_spawned`](Self::add_spawned) does at surfaces that send rays. It is kept out of line: other surfaces should
+    /// not make room for it.
+    #[inline(never)]
+    fn add_mirrored_and_transmitted<R: Recorder>(
+        &self,
+        ray: &Ray,
+        meeting: &Meeting,
+        crossing: &MediaCrossing,
+        components: &mut Components,
+        recorder: &mut R,
+    ) {
         let Meeting { surface, material, corners } = meeting;
         let Division { mirrored: share, name, through } = self.divide(ray, meeting, crossing, recorder);
         let mirroring = self.mirrored_for(material, through.is_empty()).filter(|_| share != Rgb::ZERO);
@@ -109,6 +123,7 @@ impl Tracer<'_> {
     }
 
     /// Goes on behind a boundary that lies inside a medium which wins over it.
+    #[inline(never)]
     pub(super) fn pass_straight_through<R: Recorder>(
         &self,
         ray: &Ray,

@@ -94,6 +94,7 @@ impl Recorder for Tally {
 
     fn end(&mut self, _describe: impl FnOnce() -> Entry) {}
 
+    #[inline]
     fn count(&mut self, counter: Counter) {
         match counter {
             Counter::Ray(kind) => self.rays[kind as usize] += 1,

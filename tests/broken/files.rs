@@ -76,7 +76,7 @@ pub const FILES: &[Case] = &[
         text: r#"{"colour": 1}"#,
         place: "1:2 at colour",
         message: "unknown field `colour`",
-        help: "the fields here are `$schema`, `title`, `about`, `sections`, `camera`, `image`, `ambient`, `background`, `environment`, `frame`, `lights`, `materials`, `solids`, `objects`, `media`, `limits`, `pixels`",
+        help: "the fields here are `$schema`, `title`, `about`, `sections`, `camera`, `image`, `sampling`, `ambient`, `background`, `environment`, `frame`, `lights`, `materials`, `solids`, `objects`, `media`, `limits`, `pixels`",
     },
     Case {
         text: r#"{"camrea": {}}"#,
@@ -195,7 +195,7 @@ pub const FILES: &[Case] = &[
     Case {
         text: r#"{"lights": [{"colour": [1, 1, 1]}]}"#,
         place: "1:13 at lights[0]",
-        message: "expected one of the fields `point`, `directional`",
+        message: "expected one of the fields `point`, `directional`, `area`",
         help: "",
     },
     Case {
@@ -208,7 +208,7 @@ pub const FILES: &[Case] = &[
         text: r#"{"lights": [{"point": [0, 0, 1], "directional": [1, 1, 1]}]}"#,
         place: "1:13 at lights[0]",
         message: "`point` and `directional` cannot stand together",
-        help: "keep one of `point`, `directional`",
+        help: "keep one of `point`, `directional`, `area`",
     },
     Case {
         text: r#"{"lights": [{"directional": [0, 0, 0]}]}"#,
