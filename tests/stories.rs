@@ -24,12 +24,12 @@ fn hits(tree: &RayTree) -> Vec<&Event> {
 
 /// The steps directly below an event; anything else there is told by `other`.
 fn steps_below(tree: &RayTree, id: EventId, mut other: impl FnMut(&Event)) -> Vec<u8> {
-    let number = |event: &Event| match event.what {
-        What::Step { number, .. } => Some(number),
-        _ => {
-            other(event);
-            None
+    let number = |event: &Event| {
+        if let What::Step { number, .. } = event.what {
+            return Some(number);
         }
+        other(event);
+        None
     };
     tree.children(id).filter_map(number).collect()
 }

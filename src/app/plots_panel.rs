@@ -1,4 +1,5 @@
-//! Interval bars, the sign plot of d(t) and the drawing of what a surface carries, all for the selected event.
+//! Interval bars, the sign plot of d(t), and the drawing of what else happened: what a surface carries, a lens, wavelengths, a medium;
+//! all for the selected event.
 
 use super::canvas::Canvas;
 use super::panel::empty;
@@ -7,15 +8,15 @@ use super::theme::drawing_theme;
 use crate::record::EventId;
 use crate::scene::Scene;
 use crate::trace::RayTree;
-use crate::view::{Drawing, Theme, interval_bars, sign_plot, texture_plot};
+use crate::view::{Drawing, Theme, event_plot, interval_bars, sign_plot};
 use egui::{Color32, Pos2, Rect, Role, Sense, Ui, Vec2, WidgetInfo, pos2};
 use std::sync::Arc;
 
 /// How far from a mark a click still counts, in points. Less makes thin lines hard to hit.
 const REACH: f64 = 5.0;
 
-/// The plots' heights as parts of each other: three lists with labels need more than one curve, and what a
-/// surface carries, with its caption and its legend, needs most.
+/// The plots' heights as parts of each other: three lists with labels need more than one curve, and a drawing
+/// with its caption and its legend needs most.
 const HEIGHTS: [f32; 3] = [1.27, 1.0, 1.8];
 
 /// What there is to plot of an event.
@@ -23,7 +24,7 @@ const HEIGHTS: [f32; 3] = [1.27, 1.0, 1.8];
 enum Plot {
     Bars,
     Signs,
-    Texture,
+    Event,
 }
 
 impl Plot {
@@ -31,7 +32,7 @@ impl Plot {
         match self {
             Self::Bars => "Interval bars",
             Self::Signs => "Sign plot of d(t)",
-            Self::Texture => "What the surface carries",
+            Self::Event => "What happened",
         }
     }
 
@@ -40,7 +41,7 @@ impl Plot {
         match self {
             Self::Bars => interval_bars(&key.tree, key.selected, size, key.theme),
             Self::Signs => sign_plot(&key.tree, key.selected, size, key.theme),
-            Self::Texture => texture_plot(Some(&key.scene), &key.tree, key.selected, size, key.theme),
+            Self::Event => event_plot(Some(&key.scene), &key.tree, key.selected, size, key.theme),
         }
     }
 }
@@ -68,7 +69,7 @@ impl PartialEq for Key {
 pub struct PlotsPanel {
     bars: Canvas<Key>,
     signs: Canvas<Key>,
-    texture: Canvas<Key>,
+    event: Canvas<Key>,
     /// Which of the three there is, as far as is known.
     present: [bool; 3],
 }
@@ -76,8 +77,8 @@ pub struct PlotsPanel {
 impl PlotsPanel {
     /// Shows what there is to plot of the selected event; returns the event whose mark was clicked.
     pub fn ui(&mut self, ui: &mut Ui, recording: Option<&Recording>) -> Option<EventId> {
-        let nothing = "Select a CSG node to see its intervals, a primitive to see d(t) along the ray, or a texture to see \
-                       how its colour came about.";
+        let nothing = "Select a CSG node to see its intervals, a primitive to see d(t) along the ray, a texture to see how \
+                       its colour came about, or a lens, a wavelength or a medium to see what it does to the ray.";
         let Some(recording) = recording else {
             empty(ui, nothing);
             return None;
@@ -88,8 +89,8 @@ impl PlotsPanel {
         let look = |canvas: &mut Canvas<Key>, plot, event, rect| show(ui, canvas, plot, recording, event, rect);
         let bars = look(&mut self.bars, Plot::Bars, plotted.intervals, upper);
         let signs = look(&mut self.signs, Plot::Signs, plotted.signs, middle);
-        let texture = look(&mut self.texture, Plot::Texture, recording.selected(), lower);
-        let present = [bars.present, signs.present, texture.present];
+        let event = look(&mut self.event, Plot::Event, recording.selected(), lower);
+        let present = [bars.present, signs.present, event.present];
         if present != self.present {
             self.present = present;
             ui.ctx().request_repaint();
@@ -97,7 +98,7 @@ impl PlotsPanel {
         if present == [false; 3] {
             empty(ui, nothing);
         }
-        bars.clicked.or(signs.clicked).or(texture.clicked)
+        bars.clicked.or(signs.clicked).or(event.clicked)
     }
 }
 

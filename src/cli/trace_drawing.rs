@@ -18,6 +18,14 @@ pub enum TraceDrawing {
     Side,
     /// What the surface carries where the ray meets it: texels, noise, rings, bump, grain, environment
     Texture,
+    /// The lens that the ray starts from, its plane of focus, and how far the hit is out of focus
+    Lens,
+    /// White light taken apart by wavelength
+    Wavelengths,
+    /// How light fades on a stretch inside a medium, and where it is turned
+    Medium,
+    /// By how much light is turned at a point of a medium
+    Phase,
     /// The intervals that the ray has in the parts of a compound, and what they are combined to
     Intervals,
     /// Where the ray is outside and inside of the primitive that it meets
@@ -32,11 +40,28 @@ impl TraceDrawing {
     /// If there is nothing of that kind to draw.
     pub fn drawn(self, scene: &Scene, tree: &RayTree, theme: Theme) -> Result<Drawing, Failure> {
         let end = ends(tree).next().unwrap_or(0);
+        let event_plot = |is_it: &dyn Fn(&What) -> bool| {
+            let event = first(tree, 0..tree.end(), is_it)?;
+            view::event_plot(Some(scene), tree, event, SIZE, theme.into())
+        };
         let (drawing, missing) = match self {
             Self::Side => (Some(side_view(scene, tree, theme)), ""),
             Self::Texture => (
-                ends(tree).find_map(|end| view::texture_plot(Some(scene), tree, end, SIZE, theme.into())),
+                ends(tree).find_map(|end| view::event_plot(Some(scene), tree, end, SIZE, theme.into())),
                 "the ray meets nothing that carries a texture, bump, grain, detail or environment",
+            ),
+            Self::Lens => (event_plot(&|what| matches!(what, What::Lens(_))), "the scene has no lens"),
+            Self::Wavelengths => (
+                event_plot(&|what| matches!(what, What::Wavelength(_))),
+                "the ray meets nothing that takes light apart by wavelength",
+            ),
+            Self::Medium => (
+                event_plot(&|what| matches!(what, What::Segment(_))),
+                "the ray goes through no medium that takes light away",
+            ),
+            Self::Phase => (
+                event_plot(&|what| matches!(what, What::Scatter(_))),
+                "the ray goes through no medium that turns light",
             ),
             Self::Intervals => (
                 view::interval_bars(tree, object_of(tree, end), SIZE, theme.into()),

@@ -64,6 +64,7 @@ mod tests {
     use super::*;
 
     #[test]
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "places from 0 to 3")]
     fn points_fall_where_the_weights_are_and_as_often() {
         let weights = [0.0, 3.0, 1.0, 0.0, 0.0, 0.0, 2.0, 0.0, 10.0];
         let mask = Mask::new(3, &weights).unwrap();

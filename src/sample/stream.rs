@@ -116,6 +116,7 @@ mod tests {
         (0..count).map(|number| stream.sample(number).square(purpose)).collect()
     }
 
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "places from 0 to the number of cells")]
     /// Whether each rectangle of every shape 2⁻ⁱ × 2⁻ʲ with i + j = k holds one of 2ᵏ points.
     fn is_net(points: &[[f64; 2]]) -> bool {
         let k = points.len().ilog2();

@@ -25,6 +25,7 @@ pub struct Effects(u32);
 
 impl Effects {
     /// Whether the scene calls for the effect.
+    #[inline]
     #[must_use]
     pub const fn has(self, effect: Effect) -> bool {
         self.0 & 1 << effect as u32 != 0
@@ -32,6 +33,20 @@ impl Effects {
 
     /// All effects.
     pub const ALL: Self = Self((1 << Effect::ALL.len()) - 1);
+
+    /// What makes surfaces send rays on.
+    pub const SENDING: Self = Self(0).with(Effect::Reflection).with(Effect::Refraction).with(Effect::Fresnel);
+
+    /// What materials carry besides plain colours.
+    pub const COATS: Self =
+        Self(0).with(Effect::ImageTextures).with(Effect::SolidTextures).with(Effect::Bumps).with(Effect::Frames);
+
+    /// Whether the two sets have an effect in common.
+    #[inline]
+    #[must_use]
+    pub const fn meets(self, other: Self) -> bool {
+        self.0 & other.0 != 0
+    }
 
     /// The same set without an effect.
     #[must_use]

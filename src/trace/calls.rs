@@ -3,7 +3,7 @@
 use super::ray::Tracer;
 use crate::csg::Boundary;
 use crate::record::{Counter, Effect, Recorder};
-use crate::scene::{ALL_EFFECTS, Detail};
+use crate::scene::{ALL_EFFECTS, Detail, Effects};
 use glam::{DVec2, DVec3};
 
 impl Tracer<'_> {
@@ -11,6 +11,12 @@ impl Tracer<'_> {
     #[inline]
     pub(super) const fn calls_for(&self, effect: Effect) -> bool {
         (ALL_EFFECTS || matches!(effect, Effect::Shadows)) && self.scene.effects.has(effect)
+    }
+
+    /// Whether the scene calls for any of these effects.
+    #[inline]
+    pub(super) const fn calls_for_any(&self, effects: Effects) -> bool {
+        ALL_EFFECTS && self.scene.effects.meets(effects)
     }
 
     /// The code of an effect is entered.

@@ -5,7 +5,7 @@ use super::beam::Corner;
 use super::closest::Surface;
 use super::ray::Tracer;
 use crate::record::{self, Effect, Entry, Recorder, What};
-use crate::scene::{ALL_EFFECTS, Bumps, Coat, Material, MovingTexture, Rgb, Texture, mapped_part};
+use crate::scene::{Bumps, Coat, Effects, Material, MovingTexture, Rgb, Texture, mapped_part};
 use crate::shape::Primitive;
 use crate::texture::image::{ImageTexture, Place};
 use crate::texture::relief::{Frame, Rise, Site, raised, turning};
@@ -32,7 +32,9 @@ impl<'a> Tracer<'a> {
     ) -> Finish<'a> {
         let material = &self.scene.materials[surface.material];
         let mut finish = Finish { material, ambient: material.ambient, diffuse: material.diffuse, grain: None };
-        if let Some(coat) = material.coat.as_ref().filter(|_| ALL_EFFECTS) {
+        if self.calls_for_any(Effects::COATS)
+            && let Some(coat) = &material.coat
+        {
             self.lay_on(coat, surface, corners, &mut finish, recorder);
         }
         finish

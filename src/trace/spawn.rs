@@ -8,7 +8,7 @@ use super::media::MediaCrossing;
 use super::ray::{Components, MOST_RAYS, MOST_TURNS, Ray, Tracer};
 use crate::optics::{MediaStack, reflect};
 use crate::record::{Counter, Effect, Entry, RayKind, Recorder, Value, What};
-use crate::scene::{ALL_EFFECTS, Material, Rgb, Split};
+use crate::scene::{Effects, Material, Rgb, Split};
 use glam::DVec3;
 
 /// The place where a ray meets a surface, with all that decides what it spawns there.
@@ -55,7 +55,7 @@ impl Tracer<'_> {
         components: &mut Components,
         recorder: &mut R,
     ) {
-        if ALL_EFFECTS && meeting.material.sends_rays() {
+        if self.calls_for_any(Effects::SENDING) && meeting.material.sends_rays() {
             self.add_mirrored_and_transmitted(ray, meeting, crossing, components, recorder);
         }
     }

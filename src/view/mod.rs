@@ -4,6 +4,7 @@
 
 mod axis;
 mod drawing;
+mod event_plot;
 mod flights;
 mod fonts;
 mod hit_test;
@@ -26,9 +27,9 @@ mod side_view;
 mod sign_plot;
 mod svg;
 mod text;
-mod texture_plot;
 
 pub use drawing::{Anchor, Drawing, Form, Frame, Mark, Spot, Stroke, Text};
+pub use event_plot::event_plot;
 pub use fonts::{Face, Font, FontRole, fonts, has_glyph, text_width};
 pub use interval_bars::interval_bars;
 pub use log_plot::{Curve, LogPlot, Panel, Scale, log_plot};
@@ -40,4 +41,3 @@ pub use side_view::{PlaneView, SectionPlane, SideViewOptions, side_view, side_vi
 pub use sign_plot::sign_plot;
 pub use svg::svg;
 pub use text::{Detail, DetailLine, Row, brief, brief_vector, detail, row, span_list, tree_text};
-pub use texture_plot::texture_plot;

@@ -124,7 +124,7 @@ pub fn light_on_its_way(sketch: &mut Sketch) {
         behind: [1.0, 0.5, 0.0],
         passes: [0.472_366_552_741_014_7; 3],
         scattered: [0.1; 3],
-        colour: [0.572_366_552_741_014_7, 0.336_183_276_370_507_35, 0.1],
+        colour: [0.572_366_552_741_014_7, 0.336_183_276_370_507_4, 0.1],
     }));
     sketch.note(What::Overlap(Overlap { first: "bowl".into(), second: "water".into(), interval: [0.5, 1.5] }));
 }

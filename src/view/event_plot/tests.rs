@@ -25,7 +25,7 @@ fn alone(what: What) -> RayTree {
 }
 
 fn drawn(what: What) -> Drawing {
-    texture_plot(None, &alone(what), 0, SIZE, Theme::Light).unwrap()
+    event_plot(None, &alone(what), 0, SIZE, Theme::Light).unwrap()
 }
 
 /// Each kind of drawing with its name.
@@ -56,7 +56,7 @@ fn every_drawing_is_the_one_that_was_looked_at() {
     for (name, what) in all() {
         settings.set_snapshot_suffix(name);
         settings.set_description(format!("the drawing of the sample event, {name}"));
-        settings.bind(|| insta::assert_snapshot!("texture_plot", drawn(what).to_text()));
+        settings.bind(|| insta::assert_snapshot!("event_plot", drawn(what).to_text()));
     }
 }
 
@@ -95,7 +95,7 @@ fn no_text_covers_another_and_nothing_is_cut_off_at_any_size() {
     for (name, what) in all() {
         let tree = alone(what);
         for size in sizes {
-            let drawing = texture_plot(None, &tree, 0, size, Theme::Dark).unwrap();
+            let drawing = event_plot(None, &tree, 0, size, Theme::Dark).unwrap();
             assert_readable(&drawing, &format!("{name} in {size:?}"));
         }
     }
@@ -156,7 +156,7 @@ fn numbers_that_make_no_sense_do_no_harm() {
     for by in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 1e300, -1e18, 1e6, 0.0, -0.0, 1e-300] {
         for what in spoiled(by) {
             let name = format!("{what:?} with {by}");
-            assert_readable(&texture_plot(None, &alone(what), 0, [420.0, 300.0], Theme::Light).unwrap(), &name);
+            assert_readable(&event_plot(None, &alone(what), 0, [420.0, 300.0], Theme::Light).unwrap(), &name);
         }
     }
 }
@@ -195,7 +195,7 @@ fn a_texture_shows_what_gave_its_colour_and_a_hit_its_texture() {
     let environment = find(|what| matches!(what, What::Environment(_)));
     assert_eq!(telling(&tree, find(|what| matches!(what, What::Nothing { .. }))), Some(environment));
     assert_eq!(telling(&tree, find(|what| matches!(what, What::Quadratic { .. }))), None);
-    assert_eq!(texture_plot(None, &tree, EventId::MAX, SIZE, Theme::Light), None);
+    assert_eq!(event_plot(None, &tree, EventId::MAX, SIZE, Theme::Light), None);
 }
 
 #[test]
@@ -257,7 +257,7 @@ fn a_look_up_between_two_levels_shows_the_finer_ones_texels_on_its_own_grid() {
     }
     // Half of 5 columns are 3, half of those 2.
     for (selected, size) in [(3, "3 × 2 texels on level 1"), (4, "2 × 1 texels on level 2")] {
-        let drawing = texture_plot(None, &tree, selected, SIZE, Theme::Light).unwrap();
+        let drawing = event_plot(None, &tree, selected, SIZE, Theme::Light).unwrap();
         assert!(drawing.texts().any(|text| text.text.contains(size)), "{}", drawing.to_text());
     }
 }
@@ -310,11 +310,11 @@ fn the_image_lies_behind_the_environment_where_it_is_at_hand() {
     let tree = crate::trace::record_pixel(&scene, 505, 205);
     let hit = (0..tree.end()).find(|&id| matches!(tree.event(id).what, What::Environment(_))).unwrap();
     let areas = |drawing: &Drawing| drawing.marks.iter().filter(|mark| matches!(mark.form, Form::Area { .. })).count();
-    let plain = texture_plot(None, &tree, hit, SIZE, Theme::Light).unwrap();
-    let with = texture_plot(Some(&scene), &tree, hit, SIZE, Theme::Light).unwrap();
+    let plain = event_plot(None, &tree, hit, SIZE, Theme::Light).unwrap();
+    let with = event_plot(Some(&scene), &tree, hit, SIZE, Theme::Light).unwrap();
     assert!(areas(&with) > areas(&plain) + 100, "{} and {}", areas(&with), areas(&plain));
     assert_readable(&with, "with its image");
     // The image of another environment is not this one's.
-    let other = texture_plot(Some(&load("textures/environment_cross")), &tree, hit, SIZE, Theme::Light).unwrap();
+    let other = event_plot(Some(&load("textures/environment_cross")), &tree, hit, SIZE, Theme::Light).unwrap();
     assert_eq!(other, plain);
 }

@@ -43,7 +43,7 @@ fn tree(all: Vec<Wavelength>) -> RayTree {
 }
 
 fn drawn(all: Vec<Wavelength>, selected: EventId, size: [f64; 2], theme: Theme) -> Drawing {
-    texture_plot(None, &tree(all), selected, size, theme).unwrap()
+    event_plot(None, &tree(all), selected, size, theme).unwrap()
 }
 
 /// The ends of all lines that stand for events, by event.
@@ -66,7 +66,7 @@ fn the_fan_is_the_one_that_was_looked_at() {
     settings.set_snapshot_suffix("fan");
     settings.set_description("the drawing of white light taken apart by flint glass");
     let drawing = drawn(wavelengths(6, &Dispersion::SF11), 3, SIZE, Theme::Light);
-    settings.bind(|| insta::assert_snapshot!("texture_plot", drawing.to_text()));
+    settings.bind(|| insta::assert_snapshot!("event_plot", drawing.to_text()));
 }
 
 #[test]

@@ -39,7 +39,7 @@ use telling::{footprint_of, lens_of, phases_of, point_of, telling, turned_on};
 /// it (to a texture: what is below it; to a hit: what its surface carries). Where the scene is given, the image of its
 /// environment lies behind what the ray saw of it.
 #[must_use]
-pub fn texture_plot(
+pub fn event_plot(
     scene: Option<&Scene>,
     tree: &RayTree,
     selected: EventId,
