@@ -141,6 +141,30 @@ fn stats_count_a_ray_for_each_pixel_and_name_the_effects_called_for() {
 }
 
 #[test]
+fn effects_names_every_effect_with_its_reason_and_what_is_not_called_for_costs_nothing() {
+    let folder = Folder::new();
+    let ledger =
+        |format| printed(&["effects", &folder.path("ball.json"), "--pairs", "1", "--width", "16", "--format", format]);
+    let file: Value = serde_json::from_str(&ledger("json")).unwrap();
+    assert_eq!((&file["width"], &file["height"], &file["pairs"]), (&json!(16), &json!(12), &json!(1)));
+    let effects = file["effects"].as_array().unwrap();
+    assert_eq!(effects.len(), 17);
+    let text = ledger("text");
+    for effect in effects {
+        assert!(text.contains(effect["name"].as_str().unwrap()), "{effect}");
+        if effect["name"] == "shadows" {
+            assert_eq!((&effect["called_for"], &effect["calls"]), (&json!(true), &effect["rays"]), "{effect}");
+            assert!(effect["rays"].as_u64().unwrap() > 0 && effect["ns_per_pixel"].is_f64(), "{effect}");
+            continue;
+        }
+        assert_eq!(effect["called_for"], json!(false), "{effect}");
+        assert!(effect["why"].as_str().unwrap().starts_with("no "), "{effect}");
+        assert_eq!((&effect["calls"], &effect["rays"]), (&json!(0), &json!(0)), "{effect}");
+        assert_eq!(effect["ns_per_pixel"], json!(0.0), "{effect}");
+    }
+}
+
+#[test]
 fn trace_prints_the_six_steps_of_a_pixel() {
     let folder = Folder::new();
     let text = printed(&["trace", &folder.path("ball.json"), "--pixel", "20,15"]);

@@ -7,7 +7,7 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 use rayscope::app::{Step, Workbench};
 use rayscope::folder::Outside;
-use rayscope::record::What;
+use rayscope::record::{Effect, RayKind, What};
 use rayscope::scene::embedded_scene;
 use std::time::{Duration, Instant};
 
@@ -406,6 +406,31 @@ fn every_embedded_scene_can_be_stepped_through_without_a_missing_glyph() {
             bench.step();
         }
     }
+}
+
+#[test]
+fn an_effect_that_is_switched_off_leaves_the_picture_and_the_story() {
+    let mut bench = open("hello/sphere");
+    let has_shadows = |bench: &Bench| {
+        let recording = workbench(bench).recording().expect("recorded");
+        let is_shadow = |what: &What| matches!(what, What::Ray { ray: RayKind::Shadow, .. });
+        (
+            workbench(bench).scene().expect("open").scene.effects.has(Effect::Shadows),
+            recording.tree.events.iter().any(|event| is_shadow(&event.what)),
+        )
+    };
+    assert_eq!(has_shadows(&bench), (true, true));
+    bench.get_by_role_and_label(Role::Button, "Effects").click();
+    settle(&mut bench);
+    bench.get_by_role_and_label(Role::CheckBox, "shadows").click();
+    settle(&mut bench);
+    assert_eq!(has_shadows(&bench), (false, false));
+    wait_until(&mut bench, "the picture without shadows", |bench| workbench(bench).picture_finished());
+    assert!(bench.query_by_label_contains("without shadows").is_some());
+    wait_until(&mut bench, "the ledger", |bench| bench.query_by_label_contains("each price is the median").is_some());
+    bench.get_by_role_and_label(Role::CheckBox, "shadows").click();
+    settle(&mut bench);
+    assert_eq!(has_shadows(&bench), (true, true));
 }
 
 #[test]

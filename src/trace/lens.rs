@@ -105,9 +105,12 @@ impl<'a> Tracer<'a> {
     }
 
     /// Tells how far a hit of a ray from the eye is spread over the picture.
+    #[inline]
     pub(super) fn note_confusion(&self, ray: &Ray, surface: &Surface, recorder: &mut impl Recorder) {
-        let is_through_lens = ray.place.is_some_and(|glance| glance.on_lens.is_some());
-        let Some(lens) = self.lens().filter(|_| is_through_lens) else { return };
+        let Some(lens) = self.lens() else { return };
+        if ray.place.is_none_or(|glance| glance.on_lens.is_none()) {
+            return;
+        }
         recorder.note(|| {
             let (camera, image) = (&self.scene.camera, self.scene.image);
             let depth = (surface.point - camera.eye).dot(camera.forward);

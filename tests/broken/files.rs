@@ -244,7 +244,7 @@ pub const FILES: &[Case] = &[
         text: r#"{"materials": {"clay": {"shininess": 20}}}"#,
         place: "1:25 at materials.clay.shininess",
         message: "unknown field `shininess`",
-        help: "the fields here are `ambient`, `diffuse`, `specular`, `exponent`, `reflectivity`, `transparency`, `index_of_refraction`, `texture`, `bump`, `frame`, `mirrors`",
+        help: "the fields here are `ambient`, `diffuse`, `specular`, `exponent`, `reflectivity`, `transparency`, `index_of_refraction`, `texture`, `bump`, `frame`, `fresnel`, `dispersion`, `medium`, `mirrors`",
     },
     Case {
         text: r#"{"materials": []}"#,

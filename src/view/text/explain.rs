@@ -89,7 +89,7 @@ const fn decided(certificate: Certificate) -> &'static str {
 
 const fn step(number: u8) -> &'static str {
     match number {
-        1 => "A ray is built from the eye through the centre of the pixel: P(t) = eye + dir t.",
+        1 => "A ray is built from the eye through the pixel: P(t) = eye + dir t.",
         2 => "Every object in the scene is asked where this ray is inside it.",
         3 => "Of all the hits, the one with the smallest positive t is the one that is seen.",
         4 => "The hit time put into the ray gives the point, and the surface there gives the normal.",
