@@ -218,7 +218,9 @@ impl Tracer<'_> {
         let (material, detail) = self.material_at(object, &boundary, point);
         let surface = Surface { object, boundary, sense, material, point, n_geometric, n_shading };
         recorder.note(|| self.describe_hit(ray, &surface));
-        self.note_confusion(ray, &surface, recorder);
+        if self.calls_for(Effect::DepthOfField) {
+            self.note_confusion(ray, &surface, recorder);
+        }
         if let Some((detail, place)) = detail {
             Self::enter(Effect::Details, recorder);
             recorder.note(|| self.describe_detail(&surface, detail, place));

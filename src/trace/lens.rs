@@ -105,7 +105,7 @@ impl<'a> Tracer<'a> {
     }
 
     /// Tells how far a hit of a ray from the eye is spread over the picture.
-    #[inline]
+    #[inline(never)]
     pub(super) fn note_confusion(&self, ray: &Ray, surface: &Surface, recorder: &mut impl Recorder) {
         let Some(lens) = self.lens() else { return };
         if ray.place.is_none_or(|glance| glance.on_lens.is_none()) {

@@ -50,10 +50,11 @@ impl Tracer<'_> {
             )
         });
         let place = Shaded { ray, surface, finish };
-        let is_soft = self.calls_for(Effect::SoftShadows);
         for (index, light) in self.scene.lights.iter().enumerate() {
             let [diffuse, specular] = match light.kind {
-                LightKind::Area(area) if is_soft => self.area_light(&place, index, area, recorder),
+                LightKind::Area(area) if self.calls_for(Effect::SoftShadows) => {
+                    self.area_light(&place, index, area, recorder)
+                }
                 _ => self.light(&place, index, recorder),
             };
             components.diffuse += diffuse;

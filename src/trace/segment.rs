@@ -40,7 +40,6 @@ impl<'a> Stretch<'a> {
 
 impl<'a> Tracer<'a> {
     /// The medium that the ray travels in, where it takes light away.
-    #[inline]
     pub(super) fn filling(&self, ray: &Ray) -> Option<Filling<'a>> {
         if !self.calls_for(Effect::Attenuation) {
             return None;
@@ -80,18 +79,14 @@ impl<'a> Tracer<'a> {
         colour
     }
 
-    /// What the media along a shadow ray leave of a share of the light at `limit`, by colour.
+    /// The share of a light at `limit` that the media along a shadow ray let through, by colour.
     #[inline(always)]
-    pub(super) fn through_media<R: Recorder>(&self, shadow: &Ray, limit: f64, share: f64, recorder: &mut R) -> Rgb {
-        if self.calls_for(Effect::Attenuation) {
-            return self.clearness(shadow, limit, recorder) * share;
-        }
-        Rgb::splat(share)
+    pub(super) fn clearness<R: Recorder>(&self, shadow: &Ray, limit: f64, recorder: &mut R) -> Rgb {
+        if self.calls_for(Effect::Attenuation) { self.clearness_of_media(shadow, limit, recorder) } else { Rgb::ONE }
     }
 
-    /// The share of a light at `limit` that the media along a shadow ray let through, by colour.
     #[inline(never)]
-    fn clearness<R: Recorder>(&self, shadow: &Ray, limit: f64, recorder: &mut R) -> Rgb {
+    fn clearness_of_media<R: Recorder>(&self, shadow: &Ray, limit: f64, recorder: &mut R) -> Rgb {
         let mut media = shadow.media.clone();
         let mut clearness = Rgb::ONE;
         let mut from = 0.0;

@@ -105,11 +105,11 @@ impl Tracer<'_> {
         recorder.count(Counter::Ray(RayKind::Shadow));
         if !R::RECORDING {
             let share = self.let_through(&shadow, way.light, way.limit, recorder);
-            return self.through_media(&shadow, way.limit, share, recorder);
+            return self.clearness(&shadow, way.limit, recorder) * share;
         }
         recorder.begin();
         let share = self.told_let_through(&shadow, way.limit, recorder);
-        let share = self.through_media(&shadow, way.limit, share, recorder);
+        let share = self.clearness(&shadow, way.limit, recorder) * share;
         recorder.end(|| self.describe_ray(&shadow));
         share
     }
