@@ -47,6 +47,7 @@ pub trait Recorder {
 
     /// Reports what `work` does as the parts of an event, which is described by the result. Where nothing is recorded
     /// the result goes straight to the caller: one that a description might borrow would first have to be copied.
+    #[inline]
     fn event<T>(&mut self, work: impl FnOnce(&mut Self) -> T, describe: impl FnOnce(&T) -> Entry) -> T {
         if !Self::RECORDING {
             return work(self);
@@ -58,6 +59,7 @@ pub trait Recorder {
     }
 
     /// Reports an event without children.
+    #[inline]
     fn note(&mut self, describe: impl FnOnce() -> Entry) {
         self.begin();
         self.end(describe);

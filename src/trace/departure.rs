@@ -51,6 +51,11 @@ pub(super) fn blur(boundary: &Boundary, incoming: DVec3, normal: DVec3, point: D
     boundary.error * normal.dot(incoming).abs() + POINT_ROUNDINGS * normal.abs().dot(point.abs())
 }
 
+/// The most that [`blur`] can be, whichever way the surface lies.
+pub(super) fn widest_blur(boundary: &Boundary, incoming: DVec3, point: DVec3) -> f64 {
+    boundary.error * incoming.length() + POINT_ROUNDINGS * point.abs().element_sum()
+}
+
 impl Departure {
     /// Leaving `surface`, which was hit along `incoming`, in the given direction.
     #[must_use]

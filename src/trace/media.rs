@@ -1,7 +1,7 @@
 //! Which medium a ray travels in, and what a boundary changes about it (§ 6.4.1, design policies 1 and 2).
 
 use super::closest::{Closest, Surface};
-use super::departure::blur;
+use super::departure::{blur, widest_blur};
 use super::ray::{Ray, Tracer};
 use crate::optics::{MediaStack, Policy};
 use crate::record::{Entry, NullRecorder, Recorder, Sense, What};
@@ -98,13 +98,16 @@ impl Tracer<'_> {
             return Shared::new();
         }
         let point = ray.origin + ray.direction * own.boundary.t;
+        let slack = widest_blur(&own.boundary, ray.direction, point);
+        let is_near = |other: &&usize| self.scene.objects[**other].solid.extent().holds_nearly(point, slack);
+        let mut near = others.iter().filter(is_near).peekable();
+        if near.peek().is_none() {
+            return Shared::new();
+        }
         let normal = self.scene.objects[own.object].solid.normal(&own.boundary, point);
         let own_blur = blur(&own.boundary, ray.direction, normal, point);
         let shares = |&other: &usize| {
             let solid = &self.scene.objects[other].solid;
-            if !solid.extent().holds_nearly(point, own_blur) {
-                return None;
-            }
             let list = solid.inside::<f64>(ray.origin, ray.direction, &mut NullRecorder);
             let (boundary, sense) = ray.ahead(other, self.scene, &list).list.first()?;
             let normal_there = solid.normal(&boundary, point);
@@ -113,7 +116,7 @@ impl Tracer<'_> {
             let is_shared = sense != Sense::Touch && (boundary.t - own.boundary.t).abs() * slope <= bound;
             is_shared.then_some(Closest { object: other, boundary, sense })
         };
-        others.iter().filter_map(shares).collect()
+        near.filter_map(shares).collect()
     }
 
     /// The object whose medium the ray travels in; none in air.
