@@ -2,16 +2,14 @@
 
 use super::failure::Failure;
 use super::output::Output;
-use super::progress::{stop_on_ctrl_c, with_bar};
+use super::progress::{stopped_by_ctrl_c, with_bar};
 use super::scene_argument::SceneArgument;
 use crate::cpu_time::cpu_time;
 use crate::ledger::{self, Ledger, Price, Row, Size};
-use crate::trace::Progress;
 use clap::{Args, ValueEnum};
 use serde::Serialize;
 use std::fmt::Write;
 use std::path::PathBuf;
-use std::sync::Arc;
 
 /// List the effects that a scene calls for and what each of them costs
 #[derive(Args, Debug)]
@@ -81,13 +79,7 @@ impl Effects {
         let scene = self.scene.load()?;
         let output = Output::create(self.output.as_deref())?;
         let size = Size { width: self.width, pairs: self.pairs };
-        let progress = Arc::new(Progress::new());
-        let stopping = Arc::clone(&progress);
-        stop_on_ctrl_c(move || {
-            let again = stopping.cancelled();
-            stopping.cancel();
-            again
-        });
+        let progress = stopped_by_ctrl_c();
         let measured = with_bar(
             size.pixels(&scene),
             || progress.done(),

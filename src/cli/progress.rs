@@ -1,7 +1,9 @@
 //! Work that takes its time: a bar on the standard error, and Ctrl-C.
 
+use crate::trace::Progress;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::io::{self, IsTerminal};
+use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
 use std::time::{Duration, Instant};
@@ -20,6 +22,18 @@ pub fn stop_on_ctrl_c(stop: impl Fn() -> bool + Send + 'static) {
             std::process::exit(130);
         }
     });
+}
+
+/// Progress that the first Ctrl-C cancels; the second ends the program.
+pub fn stopped_by_ctrl_c() -> Arc<Progress> {
+    let progress = Arc::new(Progress::new());
+    let stopping = Arc::clone(&progress);
+    stop_on_ctrl_c(move || {
+        let again = stopping.cancelled();
+        stopping.cancel();
+        again
+    });
+    progress
 }
 
 /// Does the work while a bar shows the time left, if there is a terminal to show it on.

@@ -3,7 +3,7 @@
 use super::failure::{Failure, warn};
 use super::frames::Frames;
 use super::output::Output;
-use super::progress::{stop_on_ctrl_c, with_bar};
+use super::progress::{stopped_by_ctrl_c, with_bar};
 use super::scene_argument::{SceneArgument, SizeArguments};
 use super::stats::{self, Seconds, Stats};
 use crate::scene::{Image, Scene, Shortcuts};
@@ -88,13 +88,7 @@ struct Work {
 
 impl Work {
     fn start(threads: Option<u16>, pixels: usize) -> Result<Self, Failure> {
-        let progress = Arc::new(Progress::new());
-        let stopping = Arc::clone(&progress);
-        stop_on_ctrl_c(move || {
-            let again = stopping.cancelled();
-            stopping.cancel();
-            again
-        });
+        let progress = stopped_by_ctrl_c();
         let pool = rayon::ThreadPoolBuilder::new()
             .num_threads(threads.map_or(0, usize::from))
             .build()

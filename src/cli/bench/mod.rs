@@ -6,7 +6,7 @@ mod table;
 
 use super::failure::Failure;
 use super::output::Output;
-use super::progress::{stop_on_ctrl_c, with_bar};
+use super::progress::{stopped_by_ctrl_c, with_bar};
 use super::scene_argument::SizeArguments;
 use crate::cpu_time::cpu_time;
 use crate::peer::Agreement;
@@ -91,13 +91,7 @@ impl Bench {
         if povray.is_none() {
             let _ = writeln!(io::stderr(), "{}", povray::HOW_TO_GET_IT);
         }
-        let watch = Watch { progress: Arc::new(Progress::new()), theirs: AtomicUsize::new(0) };
-        let stopping = Arc::clone(&watch.progress);
-        stop_on_ctrl_c(move || {
-            let again = stopping.cancelled();
-            stopping.cancel();
-            again
-        });
+        let watch = Watch { progress: stopped_by_ctrl_c(), theirs: AtomicUsize::new(0) };
         let turns = if povray.is_some() { 3 } else { 1 } * usize::from(self.repeats);
         let total = scenes.iter().map(|scene| pixels(&scene.scene) * turns).sum();
         let done = || watch.progress.done() + watch.theirs.load(Ordering::Relaxed);
