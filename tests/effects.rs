@@ -126,3 +126,18 @@ fn one_glass_object_changes_its_own_rows_and_no_other_reason() {
     assert_eq!(tallies[0].calls(Effect::Refraction), 0);
     assert!(tallies[1].calls(Effect::Refraction) > 0 && tallies[1].sent(Effect::Refraction) > 0);
 }
+
+#[test]
+fn a_material_that_no_object_uses_calls_for_nothing() {
+    let fog = r#"{"transparency": 1, "medium": {"scattering": [1, 1, 1]}}"#;
+    let scene = |material| {
+        let text = format!(
+            r#"{{"materials": {{"fog": {fog}, "matt": {{}}}}, "objects": [{{"shape": "sphere", "material": "{material}"}}]}}"#
+        );
+        load(&text, "made up").unwrap_or_else(|errors| panic!("{errors}"))
+    };
+    let (used, unused) = (scene("fog"), scene("matt"));
+    assert_eq!((used.sampling.samples, unused.sampling.samples), (16, 1));
+    assert!(used.effects.has(Effect::Scattering) && used.effects.has(Effect::Antialiasing));
+    assert_eq!(unused.effects, Effects::default());
+}

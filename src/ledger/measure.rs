@@ -3,7 +3,7 @@
 use super::price::{Price, quantile};
 use crate::record::Effect;
 use crate::scene::{Image, Reason, Scene, reasons};
-use crate::trace::{Picture, Progress, Tally, render};
+use crate::trace::{Picture, Progress, render};
 use std::time::Duration;
 
 /// How large the pictures are that are measured, and how often.
@@ -20,8 +20,6 @@ pub struct Size {
 pub struct Row {
     /// The effect, whether the scene calls for it, and why.
     pub reason: Reason,
-    /// Whether it was switched on while the picture was measured.
-    pub is_on: bool,
     /// How often its code was entered.
     pub calls: u64,
     /// Rays that there would not be without it.
@@ -45,8 +43,6 @@ pub struct Ledger {
     pub spread: f64,
     /// How many pairs of pictures make a price.
     pub pairs: u32,
-    /// What was counted.
-    pub tally: Tally,
 }
 
 /// Does some work and says how long the thread took for it.
@@ -102,10 +98,9 @@ impl Measuring<'_> {
         let mut rows = Vec::new();
         for reason in reasons(scene) {
             let (effect, called_for) = (reason.effect, reason.called_for);
-            let is_on = scene.effects.has(effect);
             let (calls, rays) = (tally.calls(effect), tally.sent(effect));
-            let mut row = Row { reason, is_on, calls, rays, price: None, without: None };
-            if called_for && is_on {
+            let mut row = Row { reason, calls, rays, price: None, without: None };
+            if called_for && scene.effects.has(effect) {
                 let (timed, without) = self.pairs(scene, effect, pairs);
                 whole.extend(timed.iter().map(|[with, _]| with.as_secs_f64() * 1e9 / pixels.max(1) as f64));
                 row.price = Some(Price::of(&timed, pixels));
@@ -115,7 +110,7 @@ impl Measuring<'_> {
         }
         let ns_per_pixel = quantile(whole.clone(), 0.5);
         let spread = 0.5 * (quantile(whole.clone(), 0.75) - quantile(whole, 0.25));
-        (!self.progress.cancelled()).then_some(Ledger { rows, picture, ns_per_pixel, spread, pairs, tally })
+        (!self.progress.cancelled()).then_some(Ledger { rows, picture, ns_per_pixel, spread, pairs })
     }
 
     /// Times with and without an effect, in turn, and the picture without it.

@@ -1,7 +1,7 @@
 //! From the text of a scene file to a scene with every default and reference resolved, or to all that is wrong.
 
 use super::LeafCoat;
-use super::camera::Image;
+use super::camera::{Image, Sampling};
 use super::camera_reader::{camera, lens, sampling};
 use super::check::check;
 use super::coat_reader::CoatReader;
@@ -11,7 +11,6 @@ use super::file::{LimitsFile, MOST_PIXELS, MaterialFile, MediaFile, SceneFile, s
 use super::files::{EmbeddedFiles, Files};
 use super::glass_reader::{check_materials, dispersion, medium, split};
 use super::lenient::Lenient;
-use super::light::{Light, LightKind};
 use super::light_reader::lights;
 use super::model::{Limits, Material, MediaPolicy, Object, Scene, Shortcuts};
 use super::object_index::ObjectIndex;
@@ -84,9 +83,6 @@ fn compile(file: SceneFile, files: &dyn Files, problems: &mut Problems) -> Optio
     let index = ObjectIndex::new(&objects, &materials, View { camera: &camera, lens: lens.as_deref() });
     let needs_beams = environment.as_ref().is_some_and(|environment| environment.averaged)
         || materials.iter().filter_map(|material| material.coat.as_ref()).any(|coat| coat.needs_footprints());
-    let scatters = |material: &Material| material.medium.is_some_and(|medium| medium.scattering != DVec3::ZERO);
-    let has_size = |light: &Light| matches!(light.kind, LightKind::Area(_));
-    let calls_for_samples = lens.is_some() || lights.iter().any(has_size) || materials.iter().any(scatters);
     let scene = Scene {
         title: file.title.or_default(),
         about: file.about.or_default(),
@@ -94,7 +90,7 @@ fn compile(file: SceneFile, files: &dyn Files, problems: &mut Problems) -> Optio
         camera,
         lens,
         image,
-        sampling: sampling(&file.sampling.or_default(), calls_for_samples),
+        sampling: Sampling::CENTRE,
         ambient: DVec3::from_array(file.ambient.or_default().0.0),
         background: DVec3::from_array(file.background.or_default().0.0),
         environment,
@@ -114,6 +110,8 @@ fn compile(file: SceneFile, files: &dyn Files, problems: &mut Problems) -> Optio
         limits: limits(file.limits.or_default()),
         pixels,
     };
+    let calls_for_samples = Effects::of(&reasons(&scene)).meets(Effects::SAMPLED);
+    let scene = Scene { sampling: sampling(&file.sampling.or_default(), calls_for_samples), ..scene };
     let reasons = reasons(&scene);
     refuse_what_is_left_out(&reasons, problems);
     let effects = Effects::of(&reasons);

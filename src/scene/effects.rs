@@ -37,6 +37,9 @@ impl Effects {
     /// What makes surfaces send rays on.
     pub const SENDING: Self = Self(0).with(Effect::Reflection).with(Effect::Refraction).with(Effect::Fresnel);
 
+    /// What one ray a pixel shows as noise: these ask for several.
+    pub const SAMPLED: Self = Self(0).with(Effect::DepthOfField).with(Effect::SoftShadows).with(Effect::Scattering);
+
     /// What materials carry besides plain colours.
     pub const COATS: Self =
         Self(0).with(Effect::ImageTextures).with(Effect::SolidTextures).with(Effect::Bumps).with(Effect::Frames);
