@@ -17,16 +17,47 @@ const LAYERS: &[(&str, &[&str])] = &[
     ("trace", &["record", "math", "shape", "csg", "optics", "texture", "sample", "scene"]),
     ("view", &["record", "math", "shape", "csg", "optics", "texture", "sample", "scene", "trace"]),
     ("accuracy", &["record", "math", "shape", "csg", "optics", "texture", "sample", "scene", "trace", "view"]),
+    ("laboratory", &["record", "math", "shape", "csg", "texture", "sample", "scene", "trace", "view", "accuracy"]),
     ("ledger", &["record", "scene", "trace"]),
     ("peer", &["record", "shape", "csg", "sample", "scene"]),
     (
         "cli",
         &[
-            "record", "math", "shape", "csg", "optics", "texture", "sample", "scene", "trace", "view", "accuracy",
-            "ledger", "peer", "app",
+            "record",
+            "math",
+            "shape",
+            "csg",
+            "optics",
+            "texture",
+            "sample",
+            "scene",
+            "trace",
+            "view",
+            "accuracy",
+            "laboratory",
+            "ledger",
+            "peer",
+            "app",
         ],
     ),
-    ("app", &["record", "math", "shape", "csg", "optics", "texture", "sample", "scene", "trace", "view", "ledger"]),
+    (
+        "app",
+        &[
+            "record",
+            "math",
+            "shape",
+            "csg",
+            "optics",
+            "texture",
+            "sample",
+            "scene",
+            "trace",
+            "view",
+            "accuracy",
+            "laboratory",
+            "ledger",
+        ],
+    ),
 ];
 
 /// Crates that only some places may use, and those places.
@@ -38,6 +69,7 @@ const CRATES: &[(&[&str], &[&str])] = &[
     (&["jsonc_parser", "include_dir"], &["src/scene/"]),
     (&["egui", "eframe", "winit", "rfd"], &["src/app/"]),
     (&["tiny_skia"], &["src/view/paint.rs"]),
+    (&["image_compare"], &["src/laboratory/errors.rs"]),
     (&["clap", "ctrlc", "indicatif"], &["src/cli/"]),
 ];
 

@@ -1,6 +1,7 @@
 //! `rayscope stability` and the judge behind it.
 
-use rayscope::accuracy::{Contender, Row, SHAPES, stability};
+use rayscope::accuracy::{Row, SHAPES, stability};
+use rayscope::shape::Method;
 use std::process::{Command, Output};
 use std::sync::OnceLock;
 
@@ -10,11 +11,11 @@ fn rows() -> &'static [Row] {
     ROWS.get_or_init(|| stability(|_| true, || false, || {}).unwrap())
 }
 
-fn of(shape: &'static str, solver: Contender) -> impl Iterator<Item = &'static Row> {
+fn of(shape: &'static str, solver: Method) -> impl Iterator<Item = &'static Row> {
     rows().iter().filter(move |row| row.shape == shape && row.solver == solver)
 }
 
-fn wrong(shape: &'static str, solver: Contender) -> usize {
+fn wrong(shape: &'static str, solver: Method) -> usize {
     of(shape, solver).map(|row| row.wrong).sum()
 }
 
@@ -32,7 +33,7 @@ fn every_case_is_judged_for_every_solver() {
     for ((shape, file), lines) in SHAPES.into_iter().zip(lines) {
         let cases = rayscope::accuracy::oracle::cases(file).unwrap().len();
         assert_eq!(cases, lines, "{shape}");
-        for solver in Contender::ALL {
+        for solver in Method::ALL {
             assert_eq!(of(shape, solver).map(|row| row.cases).sum::<usize>(), cases, "{shape} {}", solver.name());
         }
     }
@@ -41,7 +42,7 @@ fn every_case_is_judged_for_every_solver() {
 #[test]
 fn what_the_program_renders_with_is_right_about_every_primitive() {
     for shape in PRIMITIVES {
-        for row in of(shape, Contender::Adaptive).chain(of(shape, Contender::DoubleDouble)) {
+        for row in of(shape, Method::Adaptive).chain(of(shape, Method::DoubleDouble)) {
             assert_eq!((row.missed, row.extra), (0, 0), "{row:?}");
             assert!(row.worst <= 16.0, "{row:?}");
         }
@@ -52,7 +53,7 @@ fn what_the_program_renders_with_is_right_about_every_primitive() {
 fn the_textbook_is_wrong_about_every_shape_but_those_of_planes() {
     for (shape, _) in SHAPES {
         let planes_alone = ["cube", "convex_polyhedron"].contains(&shape);
-        let [textbook, adaptive] = [Contender::Textbook, Contender::Adaptive].map(|solver| wrong(shape, solver));
+        let [textbook, adaptive] = [Method::Textbook, Method::Adaptive].map(|solver| wrong(shape, solver));
         assert!(
             if planes_alone { textbook >= adaptive } else { textbook > adaptive },
             "{shape}: {textbook} {adaptive}"
@@ -63,7 +64,7 @@ fn the_textbook_is_wrong_about_every_shape_but_those_of_planes() {
 #[test]
 fn sixteen_digits_with_help_are_no_worse_than_sixteen_alone() {
     for (shape, _) in SHAPES {
-        let [double, adaptive] = [Contender::Double, Contender::Adaptive].map(|solver| wrong(shape, solver));
+        let [double, adaptive] = [Method::Double, Method::Adaptive].map(|solver| wrong(shape, solver));
         assert!(adaptive <= double, "{shape}: {adaptive} {double}");
     }
 }

@@ -4,13 +4,13 @@
 //! floor: what half a last digit (of `f64`) of the ray's numbers can move the hit by, u Σ|∂F/∂xᵢ| (|Sᵢ| + |t cᵢ|) / |∇F · c|, and
 //! half a last digit of t. An answer is wrong where a hit is missing or one too many; of the others the largest error counts.
 
-use super::contender::Contender;
+use super::hits::hits;
 use super::oracle::Target;
 use super::random::Random;
 use super::subject::Subject;
 use crate::math::{DoubleDouble, Real};
 use crate::record::NullRecorder;
-use crate::shape::{Crossing, Crossings, GenericRay, Primitive, Shape};
+use crate::shape::{Crossing, Crossings, GenericRay, Method, Primitive, Shape};
 use glam::DVec3;
 use rayon::prelude::*;
 
@@ -29,7 +29,7 @@ pub const RAYS: u64 = 400;
 /// One seed for all plots, so that they are the same wherever they are drawn.
 const SEED: u64 = 2_026;
 
-/// How the solvers did at one place, in the order of [`Contender::ALL`].
+/// How the solvers did at one place, in the order of [`Method::ALL`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Place {
     /// The distance or gap, in sizes.
@@ -86,8 +86,8 @@ fn place(question: Question, subject: &Subject, index: u64, x: f64) -> Place {
         let Some((origin, direction)) = ray else { continue };
         sent += 1;
         let exact = exact(&subject.shape, origin, direction);
-        for (k, solver) in Contender::ALL.into_iter().enumerate() {
-            match largest_error(&solver.hits(&target, origin, direction), &exact) {
+        for (k, solver) in Method::ALL.into_iter().enumerate() {
+            match largest_error(&hits(solver, &target, origin, direction), &exact) {
                 // A miss that is seen as one has no error.
                 Some(_) if exact.is_empty() => {}
                 Some(error) => errors[k].push(error),
@@ -137,8 +137,8 @@ mod tests {
     fn from_nearby_all_but_single_precision_are_as_good_as_can_be_and_from_afar_the_textbook_is_lost() {
         let sphere = subject("sphere").unwrap();
         let [near, far] = [(0, 3.0), (1, 1e8)].map(|(k, x)| place(Question::Distance, &sphere, k, x));
-        for solver in [Contender::Double, Contender::Adaptive] {
-            let k = Contender::ALL.iter().position(|other| *other == solver).unwrap();
+        for solver in [Method::Double, Method::Adaptive] {
+            let k = Method::ALL.iter().position(|other| *other == solver).unwrap();
             assert!(near.error[k] < 4.0 && far.error[k] < 4.0, "{near:?} {far:?}");
             assert_eq!([near.wrong[k], far.wrong[k]], [0.0, 0.0]);
         }

@@ -1,8 +1,8 @@
 //! How right the solvers are: judged by hits that were computed with 40 digits, and followed into the distance and towards
 //! tangents.
 
-mod contender;
 mod experiment;
+mod hits;
 mod judge;
 pub mod oracle;
 mod plot;
@@ -11,7 +11,6 @@ pub mod spawned;
 mod stability;
 mod subject;
 
-pub use contender::Contender;
 pub use experiment::{Place, Question, experiment};
 pub use judge::{Verdict, judge};
 pub use plot::plot;

@@ -1,15 +1,15 @@
 //! The experiments as plots.
 
-use super::contender::Contender;
 use super::experiment::{Place, Question, RAYS};
 use super::subject::Subject;
+use crate::shape::Method;
 use crate::view::{Curve, LogPlot, Panel, Scale};
 
 /// The plot of an experiment.
 #[must_use]
 pub fn plot(question: Question, subject: &Subject, places: &[Place]) -> LogPlot {
-    let curves = |of: &dyn Fn(&Place, usize) -> f64, skipped: &[Contender]| {
-        let own = Contender::ALL.iter().enumerate().filter(|(_, solver)| !skipped.contains(solver));
+    let curves = |of: &dyn Fn(&Place, usize) -> f64, skipped: &[Method]| {
+        let own = Method::ALL.iter().enumerate().filter(|(_, solver)| !skipped.contains(solver));
         own.map(|(k, solver)| Curve {
             name: solver.name().to_owned(),
             colour: k,
@@ -45,7 +45,7 @@ pub fn plot(question: Question, subject: &Subject, places: &[Place]) -> LogPlot 
             Panel {
                 y_name: "error of the hit time, in units of the attainable floor".to_owned(),
                 scale: Scale::Log(-1, 10),
-                curves: curves(&|place, k| place.error[k], &[Contender::DoubleDouble]),
+                curves: curves(&|place, k| place.error[k], &[Method::DoubleDouble]),
             },
             Panel {
                 y_name: "wrong answers: a hit is missing, or one too many".to_owned(),

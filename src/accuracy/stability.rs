@@ -1,8 +1,9 @@
 //! The table of `rayscope stability`: every solver on every exact case, counted by shape and kind.
 
-use super::contender::Contender;
+use super::hits::hits;
 use super::judge::{Verdict, judge};
 use super::oracle::{self, Case};
+use crate::shape::Method;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 
@@ -26,7 +27,7 @@ pub struct Row {
     /// What the cases come to: `hit`, `miss`, `tangent-touch` and so on.
     pub kind: String,
     /// The solver.
-    pub solver: Contender,
+    pub solver: Method,
     /// How many cases there are.
     pub cases: usize,
     /// Hits that it missed.
@@ -60,7 +61,7 @@ pub fn stability(
             .par_iter()
             .filter(|_| !stopped())
             .map(|case| {
-                let verdicts = Contender::ALL.map(|solver| verdict(solver, case));
+                let verdicts = Method::ALL.map(|solver| verdict(solver, case));
                 done();
                 (case, verdicts)
             })
@@ -70,8 +71,8 @@ pub fn stability(
     Ok(rows)
 }
 
-fn verdict(solver: Contender, case: &Case) -> Verdict {
-    judge(case, &solver.hits(&case.target, case.origin, case.direction), solver.coarseness())
+fn verdict(solver: Method, case: &Case) -> Verdict {
+    judge(case, &hits(solver, &case.target, case.origin, case.direction), solver.coarseness())
 }
 
 /// One row for each kind and solver, kinds in the order of the alphabet.
@@ -87,7 +88,7 @@ fn table(shape: &'static str, verdicts: &[(&Case, [Verdict; 5])]) -> Vec<Row> {
         Row {
             shape,
             kind: kind.to_owned(),
-            solver: Contender::ALL[k],
+            solver: Method::ALL[k],
             cases: judged.len(),
             missed: own().map(|verdict| verdict.missed).sum(),
             extra: own().map(|verdict| verdict.extra).sum(),
@@ -99,7 +100,7 @@ fn table(shape: &'static str, verdicts: &[(&Case, [Verdict; 5])]) -> Vec<Row> {
     };
     kinds
         .iter()
-        .flat_map(|(kind, judged)| (0..Contender::ALL.len()).map(move |k| (kind, judged, k)))
+        .flat_map(|(kind, judged)| (0..Method::ALL.len()).map(move |k| (kind, judged, k)))
         .map(|(kind, judged, k)| row(kind, judged, k))
         .collect()
 }

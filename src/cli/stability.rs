@@ -5,7 +5,8 @@ use super::failure::Failure;
 use super::output::Output;
 use super::progress::{stop_on_ctrl_c, with_bar};
 use super::stability_plots::{PlotKind, Watch, plotted, write_all};
-use crate::accuracy::{self, Contender, Row, SHAPES, Subject, subject};
+use crate::accuracy::{self, Row, SHAPES, Subject, subject};
+use crate::shape::Method;
 use clap::{Args, ValueEnum};
 use serde::Serialize;
 use std::fmt::Write as _;
@@ -190,11 +191,11 @@ fn table(rows: &[Row]) -> String {
         let mut kinds: Vec<&str> = own.iter().map(|row| row.kind.as_str()).collect();
         kinds.dedup();
         let _ = write!(text, "{shape:18}{:>6}", "cases");
-        for solver in Contender::ALL {
+        for solver in Method::ALL {
             let _ = write!(text, "{:>25}", solver.name());
         }
         let _ = write!(text, "\n{:24}", "");
-        text.push_str(&format!("{:>9}{:>7}{:>9}", "missed", "extra", "error").repeat(Contender::ALL.len()));
+        text.push_str(&format!("{:>9}{:>7}{:>9}", "missed", "extra", "error").repeat(Method::ALL.len()));
         text.push('\n');
         for kind in kinds {
             let of_kind: Vec<&Row> = own.iter().copied().filter(|row| row.kind == kind).collect();
@@ -208,10 +209,10 @@ fn table(rows: &[Row]) -> String {
 
 /// The line of some rows, summed over each solver.
 fn line(name: &str, rows: &[&Row]) -> String {
-    let of = |solver: Contender| rows.iter().filter(move |row| row.solver == solver);
-    let cases: usize = of(Contender::Adaptive).map(|row| row.cases).sum();
+    let of = |solver: Method| rows.iter().filter(move |row| row.solver == solver);
+    let cases: usize = of(Method::Adaptive).map(|row| row.cases).sum();
     let mut text = format!("  {name:16}{cases:>6}");
-    for solver in Contender::ALL {
+    for solver in Method::ALL {
         let missed: usize = of(solver).map(|row| row.missed).sum();
         let extra: usize = of(solver).map(|row| row.extra).sum();
         let worst = of(solver).map(|row| row.worst).fold(0.0, f64::max);

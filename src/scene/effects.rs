@@ -63,6 +63,12 @@ impl Effects {
         Self(self.0 | 1 << effect as u32)
     }
 
+    /// Those of the set that are not in another one.
+    #[must_use]
+    pub const fn apart_from(self, other: Self) -> Self {
+        Self(self.0 & !other.0)
+    }
+
     /// Those of a list of reasons.
     #[must_use]
     pub fn of(reasons: &[Reason]) -> Self {

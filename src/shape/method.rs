@@ -1,0 +1,66 @@
+//! How hit times are found: the ways that a picture, a record or an experiment can be asked to go.
+
+use crate::math::Real;
+
+/// An arithmetic and what is done where it cannot tell.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Method {
+    /// The program's solvers in single precision, with nothing to fall back on.
+    Single,
+    /// The same in double precision: recentred, and as sure as 16 digits allow.
+    Double,
+    /// What the program renders with: double precision, and 32 digits where these leave the answer open. Every answer has
+    /// a certificate.
+    #[default]
+    Adaptive,
+    /// 32 digits from the start.
+    DoubleDouble,
+    /// The textbook's solvers in double precision, which have no bounds on their errors.
+    Textbook,
+}
+
+impl Method {
+    /// All of them, in the order in which they are shown.
+    pub const ALL: [Self; 5] = [Self::Single, Self::Double, Self::Adaptive, Self::DoubleDouble, Self::Textbook];
+
+    /// Its name, as it is shown.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Single => "f32",
+            Self::Double => "f64",
+            Self::Adaptive => "adaptive",
+            Self::DoubleDouble => "double-double",
+            Self::Textbook => "textbook",
+        }
+    }
+
+    /// How much coarser than those of `f64` the last digits of its numbers are.
+    #[must_use]
+    pub fn coarseness(self) -> f64 {
+        match self {
+            Self::Single => f32::UNIT_ROUNDOFF / f64::UNIT_ROUNDOFF,
+            _ => 1.0,
+        }
+    }
+}
+
+/// How hits with superellipsoids are searched for.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Search {
+    /// By the method's own solver, which cannot step over a hit.
+    #[default]
+    Certified,
+    /// As textbooks do: d(t) is looked at in so many equal stretches of the ray's way through the box, at least 2, and each
+    /// change of sign is closed in on. A chord shorter than a stretch is never seen.
+    Stretches(u32),
+}
+
+/// How a ray's hits are found.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Solving {
+    /// With all shapes.
+    pub method: Method,
+    /// With superellipsoids.
+    pub search: Search,
+}
