@@ -30,7 +30,6 @@ pub fn errors(picture: &Picture, truth: &Picture) -> Errors {
     }
     let differences: Vec<[f64; 3]> =
         picture.pixels().iter().zip(truth.pixels()).map(|(&a, &b)| difference(a, b)).collect();
-    let squares: f64 = differences.iter().flatten().map(|d| d * d).sum();
     let mut largest: Vec<f64> = differences.iter().map(|d| d.iter().copied().fold(0.0, f64::max)).collect();
     largest.sort_by(f64::total_cmp);
     let covered = (largest.len() * MOST).div_ceil(1000).max(1);
@@ -38,11 +37,23 @@ pub fn errors(picture: &Picture, truth: &Picture) -> Errors {
     let is_wrong = |(a, b): &(&[u8], &[u8])| a.iter().zip(*b).any(|(a, b)| a.abs_diff(*b) > VISIBLE);
     let wrong_pixels = bytes[0].chunks(3).zip(bytes[1].chunks(3)).filter(is_wrong).count();
     Errors {
-        rmse: (squares / (3 * differences.len()) as f64).sqrt(),
+        rmse: root_mean_square(&differences),
         p999: largest[covered - 1],
         wrong_pixels,
         dissimilarity: dissimilarity(bytes, [picture.width, picture.height]),
     }
+}
+
+/// The root mean square error alone, which is quickly found.
+#[must_use]
+pub fn rmse(picture: &Picture, truth: &Picture) -> f64 {
+    let pairs = picture.pixels().iter().zip(truth.pixels());
+    root_mean_square(&pairs.map(|(&a, &b)| difference(a, b)).collect::<Vec<_>>())
+}
+
+fn root_mean_square(differences: &[[f64; 3]]) -> f64 {
+    let squares: f64 = differences.iter().flatten().map(|d| d * d).sum();
+    (squares / (3 * differences.len()).max(1) as f64).sqrt()
 }
 
 /// By channel, of what is stored: colours lighter than 1 are 1. What is no number differs from every number by all there is.

@@ -8,7 +8,7 @@
 //! So each point on the frontier is clearly faster than all that are closer; and whatever is not on it has a point beside it
 //! that is as close and not clearly slower. Where times and errors are exact this is Pareto's frontier itself.
 
-use super::Point;
+use super::Timing;
 
 /// What counts of a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -64,24 +64,12 @@ pub fn frontier(standings: &[Standing]) -> Vec<bool> {
     on
 }
 
-impl Point {
-    /// What counts of it; none where its time is not to be told, and for controls, which are compared with something else.
+impl Timing {
+    /// What counts of something that takes this time and errs by so much; none where the time is not to be told.
     #[must_use]
-    pub fn standing(&self) -> Option<Standing> {
-        let seconds = self.timing.told().filter(|_| !self.is_control())?;
-        let uncertainty = seconds * self.timing.uncertainty();
-        Some(Standing { seconds, uncertainty, error: self.errors.rmse })
-    }
-}
-
-/// Marks the points that are on the frontier.
-pub fn mark_frontier(points: &mut [&mut Point]) {
-    let standing: Vec<(usize, Standing)> =
-        points.iter().enumerate().filter_map(|(k, point)| Some((k, point.standing()?))).collect();
-    let on = frontier(&standing.iter().map(|(_, standing)| *standing).collect::<Vec<_>>());
-    points.iter_mut().for_each(|point| point.on_frontier = false);
-    for ((k, _), on) in standing.into_iter().zip(on) {
-        points[k].on_frontier = on;
+    pub fn standing(&self, error: f64) -> Option<Standing> {
+        let seconds = self.told()?;
+        Some(Standing { seconds, uncertainty: seconds * self.uncertainty(), error })
     }
 }
 

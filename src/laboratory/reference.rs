@@ -14,9 +14,10 @@
 
 use super::{Knob, Reference};
 use crate::record::Effect;
-use crate::scene::{BumpDerivative, Profile, Rgb, Scene, Shortcuts};
+use crate::scene::{Profile, Rgb, Scene, Shortcuts};
 use crate::shape::{Method, Search};
 use crate::texture::image::Filter;
+use crate::texture::relief::BumpDerivative;
 use crate::trace::Picture;
 
 /// The fewest samples of each of the reference's pictures.
