@@ -1,5 +1,6 @@
 //! A ray on its way past many extents.
 
+use crate::shape::Solving;
 use glam::DVec3;
 use std::cell::OnceCell;
 
@@ -14,6 +15,8 @@ pub struct Course {
     pub(super) balls: bool,
     /// Whether it goes through the hierarchies of wide unions.
     pub(super) hierarchies: bool,
+    /// How hits are found.
+    pub(super) solving: Solving,
     pub(super) skew: f64,
     slabs: OnceCell<Slabs>,
 }
@@ -43,7 +46,8 @@ impl Course {
     #[inline]
     pub const fn new(origin: DVec3, direction: DVec3, skew: f64) -> Self {
         let (boxes, balls, hierarchies) = (true, true, true);
-        Self { line: [origin, direction], boxes, balls, hierarchies, skew, slabs: OnceCell::new() }
+        let solving = Solving::STANDARD;
+        Self { line: [origin, direction], boxes, balls, hierarchies, solving, skew, slabs: OnceCell::new() }
     }
 
     /// The same ray, tested against the boxes of solids or not.
@@ -62,6 +66,12 @@ impl Course {
     #[must_use]
     pub fn using_hierarchies(self, hierarchies: bool) -> Self {
         Self { hierarchies, ..self }
+    }
+
+    /// The same ray, whose hits are found in another way.
+    #[must_use]
+    pub fn solving(self, solving: Solving) -> Self {
+        Self { solving, ..self }
     }
 
     #[inline]

@@ -5,9 +5,9 @@ use super::placement::PlacedRay;
 use super::report;
 use super::wide_union::WideUnion;
 use super::{Boundary, Course, Enclosure, Extent, IntervalList, Leaf, Node, Solid};
-use crate::math::{DoubleDouble, Real};
+use crate::math::{Alone, DoubleDouble, Real};
 use crate::record::{Counter, NullRecorder, Operator, Recorder, Sense};
-use crate::shape::{Crossings, Primitive};
+use crate::shape::{Crossings, Method, Primitive, Solving};
 use std::cell::Cell;
 
 /// One ray's way through the tree.
@@ -28,6 +28,26 @@ impl<'a> Query<'a> {
     /// For a ray that is known to meet the box of the whole solid, or not known to.
     pub const fn with_box_met(self, is_met: bool) -> Self {
         Self { is_met, ..self }
+    }
+
+    /// The whole tree, in the way that the course says.
+    #[inline]
+    pub fn as_asked<R: Recorder>(&self, recorder: &mut R) -> IntervalList {
+        match self.course.solving.method {
+            Method::Adaptive => self.whole::<f64, _>(recorder),
+            method => self.by(method, recorder),
+        }
+    }
+
+    // Out of line: what renders pictures every day is not to grow by what experiments ask for.
+    #[inline(never)]
+    fn by<R: Recorder>(&self, method: Method, recorder: &mut R) -> IntervalList {
+        match method {
+            Method::Single => self.whole::<Alone<f32>, _>(recorder),
+            Method::Double | Method::Textbook => self.whole::<Alone<f64>, _>(recorder),
+            Method::Adaptive => self.whole::<f64, _>(recorder),
+            Method::DoubleDouble => self.whole::<DoubleDouble, _>(recorder),
+        }
     }
 
     /// The whole tree.
@@ -153,7 +173,9 @@ impl<'a> Query<'a> {
         recorder.note(|| report::transform(leaf, self.course.line));
         let ray = leaf.placement.generic_ray::<A>(&self.course.line);
         let mut crossings = Crossings::new();
-        if R::RECORDING {
+        if let Some(exhibit) = self.course.solving.exhibit(&leaf.shape) {
+            exhibit.crossings(&leaf.shape, &leaf.placement.generic_ray(&self.course.line), recorder, &mut crossings);
+        } else if R::RECORDING {
             leaf.shape.crossings(&ray, recorder, &mut crossings);
         } else {
             // Solvers do not count; so all recorders that only count can share one copy of their code.
@@ -177,7 +199,11 @@ impl<'a> Query<'a> {
             return None;
         }
         recorder.count(Counter::ShapeTest(leaf.shape.index()));
-        let first = leaf.shape.first_crossing(&PlacedRay { placement: &leaf.placement, line: &self.course.line })?;
+        let approach = PlacedRay { placement: &leaf.placement, line: &self.course.line };
+        let first = match self.course.solving {
+            Solving::STANDARD => leaf.shape.first_crossing::<f64>(&approach),
+            solving => solving.first_crossing(&leaf.shape, &approach),
+        }?;
         Some((Boundary::of_crossing(index, &first), first.sense))
     }
 

@@ -4,8 +4,8 @@ use super::query::Query;
 use super::wide_union::WideUnion;
 use super::{Boundary, Course, Enclosure, Extent, IntervalList, Leaf, Node};
 use crate::math::Real;
-use crate::record::{Operator, Recorder, Sense};
-use crate::shape::{Bounds, Primitive};
+use crate::record::{NullRecorder, Operator, Recorder, Sense};
+use crate::shape::{Bounds, Primitive, Solving};
 use glam::DVec3;
 use smallvec::{SmallVec, smallvec};
 
@@ -108,9 +108,16 @@ impl Solid {
         Query::new(self, course).whole::<A, _>(recorder)
     }
 
-    /// The same for a ray that is known to meet the solid's extent.
-    pub fn inside_within(&self, course: &Course, recorder: &mut impl Recorder) -> IntervalList {
-        Query::new(self, course).with_box_met(true).whole::<f64, _>(recorder)
+    /// The same in the way that the course says. `is_met` where it is known that the ray meets the box.
+    pub fn inside_as_asked(&self, course: &Course, is_met: bool, recorder: &mut impl Recorder) -> IntervalList {
+        Query::new(self, course).with_box_met(is_met).as_asked(recorder)
+    }
+
+    /// The same for the ray from an origin, of which nothing is known and nothing told.
+    #[must_use]
+    pub fn inside_by(&self, solving: Solving, origin: DVec3, direction: DVec3) -> IntervalList {
+        let course = Course::new(origin, direction, self.skew).solving(solving);
+        self.inside_as_asked(&course, false, &mut NullRecorder)
     }
 
     /// The first boundary with t > 0, for rays that need no more and are not told of: solvers report nothing. `is_met`
@@ -124,7 +131,7 @@ impl Solid {
         let query = Query::new(self, course).with_box_met(is_met);
         match self.root() {
             Node::Leaf { leaf, enclosure } => query.first_crossing(*leaf, enclosure, recorder),
-            Node::Pair { .. } => query.whole::<f64, _>(recorder).first_in_front(),
+            Node::Pair { .. } => query.as_asked(recorder).first_in_front(),
         }
     }
 

@@ -1,9 +1,10 @@
 //! The knobs, with the values that are tried of each.
 
 use crate::record::Effect;
-use crate::scene::{BumpDerivative, Profile, Scene, Shortcuts};
+use crate::scene::{Profile, Scene, Shortcuts};
 use crate::shape::{Method, Search, Shape};
 use crate::texture::image::Filter;
+use crate::texture::relief::BumpDerivative;
 
 /// What trades accuracy for time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

@@ -96,6 +96,8 @@ pub struct Sampling {
     pub adaptive: Option<Adaptive>,
     /// Another seed is another pattern.
     pub seed: u32,
+    /// Points of the lens for each place in a pixel, where there is a lens.
+    pub lens_samples: u32,
     /// How many wavelengths a ray is split into where it first meets a dispersive surface.
     pub wavelengths: u32,
 }
@@ -111,7 +113,8 @@ pub struct Adaptive {
 
 impl Sampling {
     /// One ray through each pixel's centre.
-    pub const CENTRE: Self = Self { samples: 1, filter: PixelFilter::Box, adaptive: None, seed: 0, wavelengths: 16 };
+    pub const CENTRE: Self =
+        Self { samples: 1, filter: PixelFilter::Box, adaptive: None, seed: 0, lens_samples: 1, wavelengths: 16 };
 
     /// Whether pixels have more than one sample.
     #[must_use]

@@ -68,6 +68,7 @@ pub(super) fn sampling(file: &SamplingFile, calls_for_samples: bool) -> Sampling
         filter,
         adaptive: file.adaptive.map(|adaptive| Adaptive { most: adaptive.most, error: adaptive.error }),
         seed: file.seed,
+        lens_samples: 1,
         wavelengths: file.wavelengths,
     }
 }

@@ -3,8 +3,8 @@
 use super::Detail;
 use crate::record::Effect;
 use crate::texture::image::ImageTexture;
-use crate::texture::relief::{Bump, Grain};
-use crate::texture::solid::{Pattern, SolidTexture};
+use crate::texture::relief::{Bump, BumpDerivative, Grain};
+use crate::texture::solid::{Pattern, SolidTexture, Turbulence};
 use glam::DAffine3;
 
 /// What a material carries besides its plain colours.
@@ -14,6 +14,8 @@ pub struct Coat {
     pub texture: Option<Texture>,
     /// What turns its normal.
     pub bump: Option<Bumps>,
+    /// How the normal that it turns is worked out.
+    pub bump_derivative: BumpDerivative,
     /// What turns its frame, and draws out its highlights.
     pub frame: Option<GrainCoat>,
     /// Whether mirrored and refracted directions are looked up in the environment and not followed.
@@ -115,6 +117,20 @@ impl Coat {
     #[must_use]
     pub fn needs_footprints(&self) -> bool {
         matches!(&self.texture, Some(Texture::Image { image, .. }) if image.needs_footprint())
+    }
+
+    /// All sums of noise in it.
+    pub fn turbulences_mut(&mut self) -> impl Iterator<Item = &mut Turbulence> {
+        let texture = match &mut self.texture {
+            Some(Texture::Solid(moving)) => Some(moving.texture.turbulences_mut()),
+            _ => None,
+        };
+        let bump = match &mut self.bump {
+            Some(Bumps::Procedure { bump, .. }) => bump.turbulence_mut(),
+            _ => None,
+        };
+        let grain = self.frame.as_mut().and_then(|frame| frame.grain.turbulence_mut());
+        texture.into_iter().flatten().chain(bump).chain(grain)
     }
 
     /// Brings everything that moves to a frame.

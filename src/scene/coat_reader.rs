@@ -37,7 +37,7 @@ impl<'a> CoatReader<'a> {
         let bump = file.bump.as_ref().and_then(|bump| self.bump(bump, path.field("bump")));
         let grain = file.frame.as_ref().map(grain);
         let frame = grain.and_then(|grain| self.without_fault(grain, path.field("frame")));
-        let coat = Coat { texture, bump, frame, mirrors_environment };
+        let coat = Coat { texture, bump, frame, mirrors_environment, ..Coat::default() };
         (coat != Coat::default()).then(|| Box::new(coat))
     }
 

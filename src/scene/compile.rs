@@ -12,7 +12,7 @@ use super::files::{EmbeddedFiles, Files};
 use super::glass_reader::{check_materials, dispersion, medium, split};
 use super::lenient::Lenient;
 use super::light_reader::lights;
-use super::model::{Limits, Material, MediaPolicy, Object, Scene, Shortcuts};
+use super::model::{Limits, Material, MediaPolicy, Object, Scene, Shortcuts, needs_beams};
 use super::object_index::ObjectIndex;
 use super::problem::{Path, Problem, Problems};
 use super::projection::View;
@@ -21,6 +21,7 @@ use super::solids::{Around, Cover, SolidReader, find_circles, place_of};
 use super::source::{locate, parse, to_value};
 use crate::optics::YELLOW;
 use crate::record::Effect;
+use crate::shape::Solving;
 use glam::DVec3;
 use serde::Deserialize;
 use serde_json::{Map, Value};
@@ -81,8 +82,7 @@ fn compile(file: SceneFile, files: &dyn Files, problems: &mut Problems) -> Optio
         return None;
     }
     let index = ObjectIndex::new(&objects, &materials, View { camera: &camera, lens: lens.as_deref() });
-    let needs_beams = environment.as_ref().is_some_and(|environment| environment.averaged)
-        || materials.iter().filter_map(|material| material.coat.as_ref()).any(|coat| coat.needs_footprints());
+    let needs_beams = needs_beams(environment.as_ref(), &materials);
     let scene = Scene {
         title: file.title.or_default(),
         about: file.about.or_default(),
@@ -101,6 +101,7 @@ fn compile(file: SceneFile, files: &dyn Files, problems: &mut Problems) -> Optio
         objects,
         index,
         shortcuts: Shortcuts::ALL,
+        solving: Solving::STANDARD,
         effects: Effects::default(),
         media: match file.media.or_default() {
             MediaFile::Forbid => MediaPolicy::Forbid,

@@ -61,7 +61,7 @@ pub use light_file::{AreaFile, LightFile};
 pub use model::{Limits, Material, MediaPolicy, Object, Rgb, Scene, SceneEnvironment, Shortcuts, Split};
 pub use object_index::ObjectIndex;
 pub use pictures::{decode, decode_heights};
-pub use profile::{BumpDerivative, Profile};
+pub use profile::Profile;
 pub use projection::{Glance, Projection, View};
 pub use relief_file::{BumpFile, FrameFile};
 pub use sight::{Candidate, LightSight, Sight, Sights};

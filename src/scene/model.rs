@@ -3,7 +3,7 @@
 use super::{Camera, Coat, Detail, Effects, Image, LeafCoat, Lens, Light, ObjectIndex, Sampling};
 use crate::csg::{Boundary, Solid};
 use crate::optics::{Dispersion, Medium};
-use crate::shape::Primitive;
+use crate::shape::{Primitive, Solving};
 use crate::texture::image::Environment;
 use glam::{DVec2, DVec3};
 use smallvec::SmallVec;
@@ -173,6 +173,12 @@ pub struct SceneEnvironment {
     pub averaged: bool,
 }
 
+/// Whether anything asks what a pixel sees of it.
+pub(super) fn needs_beams(environment: Option<&SceneEnvironment>, materials: &[Material]) -> bool {
+    environment.is_some_and(|environment| environment.averaged)
+        || materials.iter().filter_map(|material| material.coat.as_ref()).any(|coat| coat.needs_footprints())
+}
+
 impl Scene {
     /// The same scene with other effects switched on. Those that nothing in it calls for stay without effect.
     #[must_use]
@@ -228,6 +234,8 @@ pub struct Scene {
     pub index: ObjectIndex,
     /// What rays are spared.
     pub shortcuts: Shortcuts,
+    /// How hits are found.
+    pub solving: Solving,
     /// The effects that it calls for; no other effect runs any code.
     pub effects: Effects,
     /// What happens where transparent objects overlap.

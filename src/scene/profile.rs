@@ -2,19 +2,11 @@
 //!
 //! A scene says how it is to be looked at; a profile says otherwise for some of that. Only what it names changes.
 
-use super::{Effects, Scene, Shortcuts, reasons};
+use super::model::needs_beams;
+use super::{Coat, Effects, Scene, Shortcuts, Texture, reasons};
 use crate::shape::{Method, Search};
 use crate::texture::image::Filter;
-
-/// How the normal of a bumpy surface is worked out (§ 6.3.2).
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum BumpDerivative {
-    /// The terms b n_u and b n_v are dropped, as in Blinn's paper.
-    #[default]
-    Dropped,
-    /// Nothing is dropped.
-    Exact,
-}
+use crate::texture::relief::BumpDerivative;
 
 /// Values for what trades accuracy for time; none where the scene itself decides.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -112,17 +104,78 @@ impl Scene {
     #[must_use]
     pub fn with_profile(&self, profile: &Profile) -> Self {
         let mut scene = self.clone();
-        let off = |effects: Effects| Effects::of(&reasons(self)).apart_from(effects);
-        let switched_off = off(self.effects);
+        scene.solving.method = profile.method.unwrap_or(scene.solving.method);
+        scene.solving.search = profile.search.unwrap_or(scene.solving.search);
         if let Some(samples) = profile.samples {
             scene.sampling.samples = samples;
             scene.sampling.adaptive = None;
         }
+        scene.sampling.lens_samples = profile.lens_samples.unwrap_or(scene.sampling.lens_samples);
         scene.sampling.wavelengths = profile.wavelengths.unwrap_or(scene.sampling.wavelengths);
         scene.limits.depth = profile.depth.unwrap_or(scene.limits.depth);
         scene.limits.contribution = profile.contribution.unwrap_or(scene.limits.contribution);
         scene.shortcuts = profile.shortcuts.unwrap_or(scene.shortcuts);
+        for coat in scene.materials.iter_mut().filter_map(|material| material.coat.as_deref_mut()) {
+            coat.look_as(profile);
+        }
+        scene.needs_beams = needs_beams(scene.environment.as_ref(), &scene.materials);
+        let switched_off = Effects::of(&reasons(self)).apart_from(self.effects);
         scene.effects = Effects::of(&reasons(&scene)).apart_from(switched_off);
         scene
+    }
+}
+
+impl Coat {
+    fn look_as(&mut self, profile: &Profile) {
+        if let Some(most) = profile.octaves {
+            self.turbulences_mut().for_each(|turbulence| turbulence.octaves = turbulence.octaves.min(most.max(1)));
+        }
+        if let (Some(filter), Some(Texture::Image { image, .. })) = (profile.filter, &mut self.texture) {
+            image.filter = filter;
+        }
+        self.bump_derivative = profile.bump.unwrap_or(self.bump_derivative);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{embedded_scene, load};
+    use super::*;
+    use crate::record::Effect;
+
+    fn scene(name: &str) -> Scene {
+        load(embedded_scene(name).unwrap().text, name).unwrap()
+    }
+
+    #[test]
+    fn a_profile_that_says_nothing_changes_nothing() {
+        for name in ["lens/focus", "textures/marble", "spectrum/prism"] {
+            let scene = scene(name);
+            assert_eq!(scene.with_profile(&Profile::STANDARD), scene, "{name}");
+        }
+    }
+
+    #[test]
+    fn one_sample_calls_for_no_antialiasing_and_an_effect_that_is_off_stays_off() {
+        let scene = scene("sampling/antialiasing");
+        let one = Profile { samples: Some(1), ..Profile::STANDARD };
+        assert!(scene.effects.has(Effect::Antialiasing) && !scene.with_profile(&one).effects.has(Effect::Antialiasing));
+        let dark = scene.with_effects(scene.effects.without(Effect::Shadows));
+        assert!(!dark.with_profile(&one).effects.has(Effect::Shadows));
+    }
+
+    #[test]
+    fn filters_that_ask_what_a_pixel_covers_make_rays_go_with_beams() {
+        let scene = scene("textures/scanning");
+        let looked_at = |filter| scene.with_profile(&Profile { filter: Some(filter), ..Profile::STANDARD });
+        assert!(looked_at(Filter::Area).needs_beams && !looked_at(Filter::Nearest).needs_beams);
+    }
+
+    #[test]
+    fn no_sum_of_noise_has_more_octaves_than_the_profile_says() {
+        let scene = scene("textures/marble").with_profile(&Profile { octaves: Some(2), ..Profile::STANDARD });
+        let mut coats: Vec<_> = scene.materials.into_iter().filter_map(|material| material.coat).collect();
+        let octaves: Vec<u32> = coats.iter_mut().flat_map(|coat| coat.turbulences_mut().map(|t| t.octaves)).collect();
+        assert!(!octaves.is_empty() && octaves.iter().all(|&octaves| octaves <= 2), "{octaves:?}");
     }
 }

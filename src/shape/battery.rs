@@ -140,7 +140,7 @@ proptest! {
             // From far outside, from within, and from behind.
             for start in [origin, origin + direction, origin + direction * back] {
                 let expected = solve::<f64>(&shape, start, direction).into_iter().find(|crossing| crossing.t > 0.0);
-                prop_assert_eq!(shape.first_crossing(&Straight(start, direction)), expected);
+                prop_assert_eq!(shape.first_crossing::<f64>(&Straight(start, direction)), expected);
             }
         }
     }

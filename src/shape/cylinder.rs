@@ -43,8 +43,8 @@ macro_rules! tapered {
             }
 
             #[inline]
-            fn first_crossing(&self, approach: &impl Approach) -> Option<Crossing> {
-                self.0.first_crossing(approach)
+            fn first_crossing<A: Real>(&self, approach: &impl Approach) -> Option<Crossing> {
+                self.0.first_crossing::<A>(approach)
             }
 
             fn normal(&self, point: DVec3, part: Part) -> DVec3 {

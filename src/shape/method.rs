@@ -1,6 +1,9 @@
 //! How hit times are found: the ways that a picture, a record or an experiment can be asked to go.
 
-use crate::math::Real;
+use super::textbook::Exhibit;
+use super::{Approach, Crossing, Crossings, Primitive, Shape};
+use crate::math::{Alone, DoubleDouble, Real};
+use crate::record::NullRecorder;
 
 /// An arithmetic and what is done where it cannot tell.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
@@ -63,4 +66,45 @@ pub struct Solving {
     pub method: Method,
     /// With superellipsoids.
     pub search: Search,
+}
+
+impl Solving {
+    /// What the program renders with.
+    pub const STANDARD: Self = Self { method: Method::Adaptive, search: Search::Certified };
+
+    /// The textbook's solver, where it takes the place of the shape's own.
+    #[must_use]
+    #[inline]
+    pub const fn exhibit(self, shape: &Shape) -> Option<Exhibit> {
+        match self {
+            Self::STANDARD => None,
+            other => other.exhibit_for(shape),
+        }
+    }
+
+    #[inline(never)]
+    const fn exhibit_for(self, shape: &Shape) -> Option<Exhibit> {
+        match (shape, self.search, self.method) {
+            (Shape::Superellipsoid(_), Search::Stretches(stretches), _) => Some(Exhibit { stretches }),
+            (_, _, Method::Textbook) => Some(Exhibit::PRINTED),
+            _ => None,
+        }
+    }
+
+    /// The first crossing with t > 0, and nothing about it told.
+    // Out of line: what renders pictures every day is not to grow by what experiments ask for.
+    #[inline(never)]
+    pub fn first_crossing(self, shape: &Shape, approach: &impl Approach) -> Option<Crossing> {
+        if let Some(exhibit) = self.exhibit(shape) {
+            let mut crossings = Crossings::new();
+            exhibit.crossings(shape, &approach.generic(), &mut NullRecorder, &mut crossings);
+            return crossings.into_iter().find(|crossing| crossing.t > 0.0);
+        }
+        match self.method {
+            Method::Single => shape.first_crossing::<Alone<f32>>(approach),
+            Method::Double | Method::Textbook => shape.first_crossing::<Alone<f64>>(approach),
+            Method::Adaptive => shape.first_crossing::<f64>(approach),
+            Method::DoubleDouble => shape.first_crossing::<DoubleDouble>(approach),
+        }
+    }
 }

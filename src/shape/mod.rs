@@ -114,8 +114,8 @@ macro_rules! define_shape {
                 match self { $(Self::$variant(shape) => shape.crossings(ray, recorder, crossings),)* }
             }
 
-            fn first_crossing(&self, approach: &impl Approach) -> Option<Crossing> {
-                match self { $(Self::$variant(shape) => shape.first_crossing(approach),)* }
+            fn first_crossing<A: Real>(&self, approach: &impl Approach) -> Option<Crossing> {
+                match self { $(Self::$variant(shape) => shape.first_crossing::<A>(approach),)* }
             }
 
             fn normal(&self, point: DVec3, part: Part) -> DVec3 {

@@ -88,8 +88,8 @@ impl Primitive for Plane {
     }
 
     #[inline]
-    fn first_crossing(&self, approach: &impl Approach) -> Option<Crossing> {
-        solver::first_crossing(self, approach)
+    fn first_crossing<A: Real>(&self, approach: &impl Approach) -> Option<Crossing> {
+        solver::first_crossing::<A>(self, approach)
     }
 
     fn normal(&self, _point: DVec3, _part: Part) -> DVec3 {

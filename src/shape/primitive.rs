@@ -280,9 +280,9 @@ pub trait Primitive {
     fn crossings<A: Real>(&self, ray: &GenericRay<A>, recorder: &mut impl Recorder, crossings: &mut Crossings);
 
     /// The first crossing with t > 0 that [`crossings`](Self::crossings) finds, and nothing about it told.
-    fn first_crossing(&self, approach: &impl Approach) -> Option<Crossing> {
+    fn first_crossing<A: Real>(&self, approach: &impl Approach) -> Option<Crossing> {
         let mut crossings = Crossings::new();
-        self.crossings(&approach.generic::<f64>(), &mut NullRecorder, &mut crossings);
+        self.crossings(&approach.generic::<A>(), &mut NullRecorder, &mut crossings);
         crossings.into_iter().find(|crossing| crossing.t > 0.0)
     }
 

@@ -113,21 +113,25 @@ pub(super) fn crossings<A: Real, R: Recorder>(
 
 /// The first crossing with t > 0, and nothing told.
 #[inline]
-pub(super) fn first_crossing(solver: &impl Solver, approach: &impl Approach) -> Option<Crossing> {
-    let ray = approach.generic::<f64>();
+pub(super) fn first_crossing<A: Real>(solver: &impl Solver, approach: &impl Approach) -> Option<Crossing> {
+    let ray = approach.generic::<A>();
     let attempt = solver.solve_ahead(&ray);
-    if !attempt.decided {
-        return first_crossing_after_fallback(solver, approach);
-    }
-    solver.roots(&ray, &attempt.found).first_ahead(solver.first_sense(&ray), ray.t_per_tau, Certificate::Certain)
+    let certificate = if attempt.decided {
+        Certificate::Certain
+    } else if A::FINEST {
+        verdict(&solver.closest_call(&ray, &attempt.found))
+    } else {
+        return first_crossing_after_fallback::<A>(solver, approach);
+    };
+    solver.roots(&ray, &attempt.found).first_ahead(solver.first_sense(&ray), ray.t_per_tau, certificate)
 }
 
 /// The same with 32 digits.
 #[cold]
 #[inline(never)]
-fn first_crossing_after_fallback(solver: &impl Solver, approach: &impl Approach) -> Option<Crossing> {
+fn first_crossing_after_fallback<A: Real>(solver: &impl Solver, approach: &impl Approach) -> Option<Crossing> {
     let mut crossings = Crossings::new();
-    fall_back(solver, &approach.generic::<f64>(), &mut NullRecorder, &mut crossings);
+    fall_back(solver, &approach.generic::<A>(), &mut NullRecorder, &mut crossings);
     crossings.into_iter().find(|crossing| crossing.t > 0.0)
 }
 

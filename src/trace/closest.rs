@@ -128,7 +128,7 @@ impl Tracer<'_> {
         let object = &self.scene.objects[index];
         recorder.begin();
         let list = if self.is_in_sight(index, ray, recorder) {
-            object.solid.inside_along::<f64>(course, recorder)
+            object.solid.inside_as_asked(course, false, recorder)
         } else {
             IntervalList::default()
         };

@@ -8,7 +8,7 @@ use crate::record::{self, Effect, Entry, Recorder, What};
 use crate::scene::{Bumps, Coat, Effects, Material, MovingTexture, Rgb, Texture, mapped_part};
 use crate::shape::Primitive;
 use crate::texture::image::{ImageTexture, Place};
-use crate::texture::relief::{Frame, Rise, Site, raised, turning};
+use crate::texture::relief::{BumpDerivative, Frame, Rise, Site, raised, turning};
 use glam::{DAffine3, DVec2, DVec3};
 
 /// The surface, ready for the lights.
@@ -68,7 +68,7 @@ impl<'a> Tracer<'a> {
         let mut site = self.site(surface);
         if let Some(bump) = bump {
             Self::enter(Effect::Bumps, recorder);
-            site.normal = self.bumped(surface, bump, &site, recorder);
+            site.normal = self.bumped(surface, (bump, coat.bump_derivative), &site, recorder);
         }
         let frame = frame.map(|coat| {
             Self::enter(Effect::Frames, recorder);
@@ -96,7 +96,13 @@ impl<'a> Tracer<'a> {
         }
     }
 
-    fn bumped<R: Recorder>(&self, surface: &Surface, bumps: &Bumps, site: &Site, recorder: &mut R) -> DVec3 {
+    fn bumped<R: Recorder>(
+        &self,
+        surface: &Surface,
+        (bumps, derivative): (&Bumps, BumpDerivative),
+        site: &Site,
+        recorder: &mut R,
+    ) -> DVec3 {
         let leaf = self.leaf(surface.object, &surface.boundary);
         let part = surface.boundary.part;
         let turning = || {
@@ -107,12 +113,12 @@ impl<'a> Tracer<'a> {
             })
         };
         match bumps {
-            Bumps::Procedure { bump, .. } => bump.normal(site, turning, recorder),
+            Bumps::Procedure { bump, .. } => bump.normal(site, derivative, turning, recorder),
             Bumps::Image { image, parts, height } => {
                 let part = mapped_part(parts, leaf.part(&surface.boundary));
                 let (share, slopes) = image.height_and_slopes(site.uv, part);
                 let rise = Rise { height: height * share, slopes: slopes.map(|slope| height * slope) };
-                raised(bumps.kind(), site, rise, turning, recorder)
+                raised((bumps.kind(), derivative), site, rise, turning, recorder)
             }
         }
     }

@@ -4,7 +4,7 @@ use super::closest::{Closest, Surface};
 use super::departure::{blur, widest_blur};
 use super::ray::{Ray, Tracer};
 use crate::optics::{MediaStack, Policy};
-use crate::record::{Entry, NullRecorder, Recorder, Sense, What};
+use crate::record::{Entry, Recorder, Sense, What};
 use crate::scene::MediaPolicy;
 use glam::DVec3;
 use smallvec::SmallVec;
@@ -42,7 +42,7 @@ impl Tracer<'_> {
             return MediaStack::default();
         }
         let holding_eye = |&object: &usize| {
-            let list = self.scene.objects[object].solid.inside::<f64>(eye, direction, &mut NullRecorder);
+            let list = self.scene.objects[object].solid.inside_by(self.scene.solving, eye, direction);
             let interval = list.intervals().find(|interval| {
                 interval.enter.is_none_or(|enter| enter.t <= 0.0) && interval.leave.is_none_or(|leave| leave.t > 0.0)
             })?;
@@ -108,7 +108,7 @@ impl Tracer<'_> {
         let own_blur = blur(&own.boundary, ray.direction, normal, point);
         let shares = |&other: &usize| {
             let solid = &self.scene.objects[other].solid;
-            let list = solid.inside::<f64>(ray.origin, ray.direction, &mut NullRecorder);
+            let list = solid.inside_by(self.scene.solving, ray.origin, ray.direction);
             let (boundary, sense) = ray.ahead(other, self.scene, &list).list.first()?;
             let normal_there = solid.normal(&boundary, point);
             let slope = normal.dot(ray.direction).abs().max(normal_there.dot(ray.direction).abs());

@@ -165,8 +165,7 @@ impl Tracer<'_> {
         if ray.leaves_for_good(object, solid) {
             return Ahead::default();
         }
-        let list =
-            if is_met { solid.inside_within(course, recorder) } else { solid.inside_along::<f64>(course, recorder) };
+        let list = solid.inside_as_asked(course, is_met, recorder);
         ray.ahead(object, self.scene, &list)
     }
 }

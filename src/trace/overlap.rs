@@ -4,8 +4,7 @@
 use super::closest::Surface;
 use super::media::MediaCrossing;
 use super::ray::{Ray, Tracer};
-use crate::csg::Solid;
-use crate::record::{self, Counter, Entry, NullRecorder, Recorder, Sense, What};
+use crate::record::{self, Counter, Entry, Recorder, Sense, What};
 use crate::scene::{MediaPolicy, Scene};
 use std::collections::BTreeMap;
 
@@ -101,7 +100,7 @@ impl Tracer<'_> {
         let others = self.scene.index.transparent.iter().filter(|&&other| other != surface.object);
         for &other in others.filter(|&&other| media.contains(other) && ray.media.contains(other)) {
             let from = surface.boundary.t;
-            let left = [surface.object, other].map(|object| left_after(&self.scene.objects[object].solid, ray, from));
+            let left = [surface.object, other].map(|object| self.left_after(object, ray, from));
             let interval = [from, left[0].min(left[1])];
             recorder.count(Counter::Overlap { objects: [other, surface.object], interval });
             recorder.note(|| {
@@ -110,11 +109,11 @@ impl Tracer<'_> {
             });
         }
     }
-}
 
-/// When a ray comes out of a solid that it is inside of at `t` or directly after.
-fn left_after(solid: &Solid, ray: &Ray, t: f64) -> f64 {
-    let list = solid.inside::<f64>(ray.origin, ray.direction, &mut NullRecorder);
-    let ends = list.intervals().filter_map(|interval| interval.leave.map(|leave| leave.t));
-    ends.filter(|&end| end > t).fold(f64::INFINITY, f64::min)
+    /// When a ray comes out of an object that it is inside of at `t` or directly after.
+    fn left_after(&self, object: usize, ray: &Ray, t: f64) -> f64 {
+        let list = self.scene.objects[object].solid.inside_by(self.scene.solving, ray.origin, ray.direction);
+        let ends = list.intervals().filter_map(|interval| interval.leave.map(|leave| leave.t));
+        ends.filter(|&end| end > t).fold(f64::INFINITY, f64::min)
+    }
 }

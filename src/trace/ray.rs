@@ -6,7 +6,7 @@ use super::departure::{Ahead, Departure};
 use super::spawn::Meeting;
 use crate::csg::{Course, IntervalList, Solid};
 use crate::optics::MediaStack;
-use crate::record::{Counter, Effect, Entry, NullRecorder, RayKind, Recorder, What};
+use crate::record::{Counter, Effect, Entry, RayKind, Recorder, What};
 use crate::sample::Stream;
 use crate::scene::{Glance, Rgb, Scene, Shortcuts, Sights};
 use glam::DVec3;
@@ -84,7 +84,7 @@ impl Ray {
     pub(super) fn ahead(&self, index: usize, scene: &Scene, list: &IntervalList) -> Ahead {
         let solid = &scene.objects[index].solid;
         let line = [self.origin, self.direction];
-        let list_from = |origin| solid.inside::<f64>(origin, self.direction, &mut NullRecorder);
+        let list_from = |origin| solid.inside_by(scene.solving, origin, self.direction);
         match self.departure {
             Some(departure) if departure.object == index => departure.ahead(solid, line, list, list_from),
             Some(departure) if scene.index.touching[departure.object].contains(&index) => {
@@ -202,6 +202,7 @@ impl<'a> Tracer<'a> {
             .testing_boxes(boxes)
             .testing_balls(balls)
             .using_hierarchies(hierarchy)
+            .solving(self.scene.solving)
     }
 
     /// Step 5 where nothing is hit.

@@ -117,15 +117,22 @@ impl Tracer<'_> {
     #[inline(never)]
     pub(super) fn trace_samples<R: Recorder>(&self, pixel: [u32; 2], stream: Stream, recorder: &mut R) -> Rgb {
         let several = self.takes_several();
-        let sampling = if several { self.scene.sampling } else { Sampling { samples: 1, ..Sampling::CENTRE } };
+        let sampling = if several {
+            self.scene.sampling
+        } else {
+            Sampling { lens_samples: self.scene.sampling.lens_samples, ..Sampling::CENTRE }
+        };
         let mut gathered = Gathered::default();
+        // Rays that go through one place of the pixel, each through another point of the lens.
+        let together = if self.lens().is_some() { sampling.lens_samples.max(1) } else { 1 };
         let mut target = sampling.samples;
         let stop = loop {
             // Each stands for its part of the pixel, as many as there will be.
             let beam_side = 1.0 / f64::from(target).sqrt();
-            for number in gathered.count()..target {
+            for number in gathered.count()..target.saturating_mul(together) {
                 let aim = Aim { beam_side, ..Aim::centre(pixel, stream.sample(number)) };
-                let (weight, colour) = self.trace_sample(aim, number, several, recorder);
+                let place = several.then(|| stream.sample(number / together));
+                let (weight, colour) = self.trace_sample(aim, number, place, recorder);
                 gathered.add(weight, colour);
             }
             match stop(&gathered, sampling.adaptive) {
@@ -137,16 +144,23 @@ impl Tracer<'_> {
         gathered.mean()
     }
 
-    /// The weight and the colour of one sample, whose aim is the pixel's centre as yet.
-    fn trace_sample<R: Recorder>(&self, mut aim: Aim, number: u32, is_moved: bool, recorder: &mut R) -> (f64, Rgb) {
+    /// The weight and the colour of one sample, whose aim is the pixel's centre as yet; `place` has the random numbers that
+    /// move it from there, if it is to be moved.
+    fn trace_sample<R: Recorder>(
+        &self,
+        mut aim: Aim,
+        number: u32,
+        place: Option<Stream>,
+        recorder: &mut R,
+    ) -> (f64, Rgb) {
         recorder.begin();
         let (mut offset, mut weight) = ([0.0; 2], 1.0);
-        if is_moved {
+        if let Some(place) = place {
             Self::enter(Effect::Antialiasing, recorder);
             if number > 0 {
                 recorder.count(Counter::Sent(Effect::Antialiasing));
             }
-            (offset, weight) = self.scene.sampling.filter.place(aim.stream.square(Purpose::Pixel));
+            (offset, weight) = self.scene.sampling.filter.place(place.square(Purpose::Pixel));
             aim.at = [aim.at[0] + offset[0], aim.at[1] + offset[1]];
         }
         let ray = self.build_ray(&aim, recorder);

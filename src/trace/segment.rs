@@ -120,7 +120,7 @@ impl<'a> Tracer<'a> {
             if ray.leaves_for_good(object, solid) {
                 continue;
             }
-            let list = solid.inside_along::<f64>(&course, &mut NullRecorder);
+            let list = solid.inside_as_asked(&course, false, &mut NullRecorder);
             let ahead = ray.ahead(object, self.scene, &list).list;
             let bounds = ahead.boundaries().into_iter().filter(|(boundary, _)| boundary.t < limit);
             crossed

@@ -1,6 +1,6 @@
 //! The solvers as textbooks print them, kept as an exhibit: students can watch them fail.
 //!
-//! Nothing that renders uses this module. Each solver takes the same ray and gives the same [`Crossing`]s as the real one, in
+//! Nothing that renders uses this module, unless a picture is asked for that shows what these solvers do. Each solver takes the same ray and gives the same [`Crossing`]s as the real one, in
 //! plain `f64`, without error bounds (every `error` is 0) and without a second opinion (every certificate says *certain*,
 //! rightly or not). So the two can be compared in time and in truth, ray by ray. Each file says where its solver fails,
 //! why, and which book it is from.
@@ -18,23 +18,58 @@ mod torus;
 
 pub use combine::combine;
 
-use super::{Crossing, Crossings, GenericRay, Part, Shape};
-use crate::record::{Certificate, Sense};
+use super::{Crossing, Crossings, GenericRay, Part, Shape, report};
+use crate::record::{Certificate, Recorder, Sense};
+
+/// The solvers, with what can be set of them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Exhibit {
+    /// How many stretches of a ray are looked at for hits with a superellipsoid, at least 2. Fewer lose more chords, more
+    /// cost more; none is enough.
+    pub stretches: u32,
+}
+
+impl Exhibit {
+    /// As it is printed.
+    pub const PRINTED: Self = Self { stretches: 33 };
+
+    /// Appends what the textbook's solver finds. All that it tells is d(t) and the hit times: it keeps no account of more.
+    pub fn crossings<R: Recorder>(
+        self,
+        shape: &Shape,
+        ray: &GenericRay<f64>,
+        recorder: &mut R,
+        crossings: &mut Crossings,
+    ) {
+        let begin = crossings.len();
+        self.solve(shape, ray, crossings);
+        if R::RECORDING && !matches!(shape, Shape::Square(_)) {
+            recorder.note(|| report::implicit(shape, ray, &crossings[begin..]));
+        }
+        recorder.note(|| report::roots(shape, ray, &crossings[begin..], Vec::new()));
+    }
+
+    fn solve(self, shape: &Shape, ray: &GenericRay<f64>, crossings: &mut Crossings) {
+        match shape {
+            Shape::Plane(_) => flat::plane(ray, crossings),
+            Shape::Square(_) => flat::square(ray, crossings),
+            Shape::Sphere(_) => sphere::crossings(ray, crossings),
+            Shape::TaperedCylinder(solid) => tapered::crossings(solid.s, ray, crossings),
+            Shape::Cylinder(_) => tapered::crossings(1.0, ray, crossings),
+            Shape::Cone(_) => tapered::crossings(0.0, ray, crossings),
+            Shape::Cube(_) => convex::cube(ray, crossings),
+            Shape::ConvexPolyhedron(solid) => convex::polyhedron(solid.planes(), ray, crossings),
+            Shape::Torus(solid) => torus::crossings(solid.d, ray, crossings),
+            Shape::Superellipsoid(solid) => {
+                superellipsoid::crossings(solid.exponents, self.stretches.max(2), ray, crossings);
+            }
+        }
+    }
+}
 
 /// Appends what the textbook's solver finds.
 pub fn crossings(shape: &Shape, ray: &GenericRay<f64>, crossings: &mut Crossings) {
-    match shape {
-        Shape::Plane(_) => flat::plane(ray, crossings),
-        Shape::Square(_) => flat::square(ray, crossings),
-        Shape::Sphere(_) => sphere::crossings(ray, crossings),
-        Shape::TaperedCylinder(solid) => tapered::crossings(solid.s, ray, crossings),
-        Shape::Cylinder(_) => tapered::crossings(1.0, ray, crossings),
-        Shape::Cone(_) => tapered::crossings(0.0, ray, crossings),
-        Shape::Cube(_) => convex::cube(ray, crossings),
-        Shape::ConvexPolyhedron(solid) => convex::polyhedron(solid.planes(), ray, crossings),
-        Shape::Torus(solid) => torus::crossings(solid.d, ray, crossings),
-        Shape::Superellipsoid(solid) => superellipsoid::crossings(solid.exponents, ray, crossings),
-    }
+    Exhibit::PRINTED.solve(shape, ray, crossings);
 }
 
 /// A crossing at the solver's parameter τ, taken for exact.

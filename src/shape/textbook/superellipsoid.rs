@@ -11,32 +11,28 @@
 use super::append_alternating;
 use crate::shape::gauge::Exponents;
 use crate::shape::{Crossings, GenericRay, Part};
-
-/// Stretches between samples. Fewer lose more chords, more cost more; none is enough.
-const STRETCHES: u8 = 33;
+use smallvec::SmallVec;
 
 /// Halvings of a stretch: enough for every digit of a number of the size of the box.
 const HALVINGS: u8 = 54;
 
 /// Wrong wherever the ray is inside for less than one step.
-pub fn crossings(exponents: Exponents, ray: &GenericRay<f64>, crossings: &mut Crossings) {
+pub fn crossings(exponents: Exponents, stretches: u32, ray: &GenericRay<f64>, crossings: &mut Crossings) {
     let Some([from, to]) = in_box(ray) else { return };
-    let step = (to - from) / f64::from(STRETCHES);
+    let step = (to - from) / f64::from(stretches);
     let d = |tau: f64| implicit(exponents, ray.at(tau));
-    let mut hits = [(0.0, 0 as Part); STRETCHES as usize];
-    let mut count = 0;
+    let mut hits: SmallVec<[(f64, Part); 4]> = SmallVec::new();
     let (mut before, mut inside) = (from, false);
-    for k in 1..=STRETCHES {
+    for k in 1..=stretches {
         let tau = from + step * f64::from(k);
         // At its far end the ray leaves the box, and the solid at the latest there.
-        let now_inside = k < STRETCHES && d(tau) < 0.0;
+        let now_inside = k < stretches && d(tau) < 0.0;
         if now_inside != inside {
-            hits[count] = (halve(before, tau, inside, d), 0);
-            count += 1;
+            hits.push((halve(before, tau, inside, d), 0));
         }
         (before, inside) = (tau, now_inside);
     }
-    append_alternating(ray, &mut hits[..count], crossings);
+    append_alternating(ray, &mut hits, crossings);
 }
 
 /// F = (|x|ⁿ + |y|ⁿ)^(m/n) + |z|ᵐ − 1.

@@ -23,20 +23,40 @@ pub struct Rise {
     pub slopes: [f64; 2],
 }
 
+/// How the normal of a raised surface is worked out.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum BumpDerivative {
+    /// The terms b n_u and b n_v are dropped, as in Blinn's paper.
+    #[default]
+    Dropped,
+    /// Nothing is dropped, where it is known how the normal turns.
+    Exact,
+}
+
 /// The unit normal of the raised surface. `name` is the kind of bump, `turning` gives n_u and n_v where they are known (see
-/// [`turning`](super::turning)) and is asked only when somebody records.
+/// [`turning`](super::turning)); it is asked only when nothing is to be dropped, or when somebody records.
 pub fn raised<R: Recorder>(
-    name: &str,
+    (name, derivative): (&str, BumpDerivative),
     site: &Site,
     rise: Rise,
     turning: impl FnOnce() -> Option<[DVec3; 2]>,
     recorder: &mut R,
 ) -> DVec3 {
-    let normal = site.normal;
     let terms = Terms::new(site);
-    let after = terms.normal(normal, rise);
-    recorder.note(|| terms.describe(name, site, rise, turning(), after));
-    after
+    let by_blinn = terms.normal(site.normal, rise);
+    match derivative {
+        BumpDerivative::Dropped => {
+            recorder.note(|| terms.describe(name, site, rise, turning(), [by_blinn; 2]));
+            by_blinn
+        }
+        BumpDerivative::Exact => {
+            let turning = turning();
+            let exact = turning.and_then(|turning| terms.exactly(site, rise, turning));
+            let after = exact.map_or(by_blinn, |(_, unit)| unit);
+            recorder.note(|| terms.describe(name, site, rise, turning, [by_blinn, after]));
+            after
+        }
+    }
 }
 
 struct Terms {
@@ -77,7 +97,15 @@ impl Terms {
         (if self.inwards { -sum } else { sum }).try_normalize().unwrap_or(before)
     }
 
-    fn describe(&self, name: &str, site: &Site, rise: Rise, turning: Option<[DVec3; 2]>, after: DVec3) -> Entry {
+    /// `by_blinn` is the normal without the terms that he drops, `used` the one that shading goes on with.
+    fn describe(
+        &self,
+        name: &str,
+        site: &Site,
+        rise: Rise,
+        turning: Option<[DVec3; 2]>,
+        [after, used]: [DVec3; 2],
+    ) -> Entry {
         let ([p_u, p_v], [b_u, b_v]) = (site.tangents, rise.slopes);
         let exact = turning.and_then(|turning| self.exactly(site, rise, turning));
         let dropped = exact.map(|(_, unit)| after.cross(unit).length().atan2(after.dot(unit)).to_degrees());
@@ -108,7 +136,7 @@ impl Terms {
             n_cross_p_v: self.n_cross_p_v.to_array(),
             dropped,
             before: site.normal.to_array(),
-            after: after.to_array(),
+            after: used.to_array(),
         }))
         .line("N", "P_u × P_v", &bindings, self.area.to_array())
         .line("X", "P_u × n", &bindings, self.p_u_cross_n.to_array())

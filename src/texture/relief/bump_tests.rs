@@ -63,7 +63,7 @@ fn rise(amplitude: f64, u: f64, v: f64) -> Rise {
 /// The angle between the perturbed normal and that of the surface that is really raised.
 fn error(surface: fn(f64, f64) -> (DVec3, DVec3), amplitude: f64, u: f64, v: f64) -> f64 {
     let site = site(surface, u, v);
-    let found = raised("test", &site, rise(amplitude, u, v), || None, &mut NullRecorder);
+    let found = raised(("test", BumpDerivative::Dropped), &site, rise(amplitude, u, v), || None, &mut NullRecorder);
     let displaced = |u: f64, v: f64| {
         let (point, normal) = surface(u, v);
         point + normal * (amplitude * bump(u, v).0)
@@ -106,8 +106,11 @@ fn the_recorded_angle_is_that_to_the_surface_that_is_really_raised() {
         let site = site(surface, u, v);
         let turned = || Some(derivatives(|u, v| surface(u, v).1, u, v));
         let mut kept = Kept::default();
-        let recorded = raised("test", &site, rise(amplitude, u, v), turned, &mut kept);
-        assert_eq!(recorded, raised("test", &site, rise(amplitude, u, v), turned, &mut NullRecorder));
+        let recorded = raised(("test", BumpDerivative::Dropped), &site, rise(amplitude, u, v), turned, &mut kept);
+        assert_eq!(
+            recorded,
+            raised(("test", BumpDerivative::Dropped), &site, rise(amplitude, u, v), turned, &mut NullRecorder)
+        );
         let What::Bump(record) = &kept.0[0].what else { panic!("{kept:?}", kept = kept.0) };
         let (dropped, expected) = (record.dropped.unwrap(), error(surface, amplitude, u, v).to_degrees());
         assert!((dropped - expected).abs() < 1e-8, "{name}: {dropped} {expected}");
@@ -142,7 +145,7 @@ fn a_slope_along_u_tilts_the_normal_against_u_whichever_way_the_product_points()
         };
         let rise = Rise { height: 0.0, slopes: [0.75, 0.0] };
         // z = 0.75 x has the normal (−0.75, 0, 1).
-        let after = raised("test", &site, rise, || None, &mut NullRecorder);
+        let after = raised(("test", BumpDerivative::Dropped), &site, rise, || None, &mut NullRecorder);
         assert!((after - DVec3::new(-0.6, 0.0, 0.8)).length() < 1e-15, "{after}");
     }
 }
@@ -151,6 +154,6 @@ fn a_slope_along_u_tilts_the_normal_against_u_whichever_way_the_product_points()
 fn at_a_pole_the_normal_stays() {
     let pole = Site { tangents: [DVec3::ZERO, DVec3::X], ..site(sphere, 0.2, 0.4) };
     let mut kept = Kept::default();
-    assert_eq!(raised("test", &pole, rise(0.1, 0.2, 0.4), || None, &mut kept), pole.normal);
+    assert_eq!(raised(("test", BumpDerivative::Dropped), &pole, rise(0.1, 0.2, 0.4), || None, &mut kept), pole.normal);
     assert_every_line_holds(&kept);
 }

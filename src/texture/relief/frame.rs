@@ -96,6 +96,14 @@ impl Grain {
         }
     }
 
+    /// The turbulence, if there is one.
+    pub fn turbulence_mut(&mut self) -> Option<&mut Turbulence> {
+        match self {
+            Self::Fibre { turbulence, .. } => Some(turbulence),
+            Self::Brushed { .. } | Self::Woven { .. } => None,
+        }
+    }
+
     /// Stirs noise to another time.
     pub fn at_time(&mut self, time: f64) {
         match self {

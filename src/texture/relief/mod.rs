@@ -8,7 +8,7 @@ mod procedure;
 mod site;
 mod ward;
 
-pub use bump::{Rise, raised};
+pub use bump::{BumpDerivative, Rise, raised};
 pub use frame::{Frame, Grain};
 pub use procedure::{Bump, Facets};
 pub use site::{Site, turning};

@@ -7,7 +7,7 @@
 
 use super::super::solid::random::Random;
 use super::super::solid::{Noise, Turbulence};
-use super::bump::{Rise, raised};
+use super::bump::{BumpDerivative, Rise, raised};
 use super::site::Site;
 use crate::math::sine_cosine;
 use crate::record::{Binding, Bump as Record, Entry, Recorder, What};
@@ -117,11 +117,12 @@ impl Bump {
         }
     }
 
-    /// The perturbed unit normal. `turning` gives n_u and n_v for the account of what is dropped; it is asked only when
-    /// somebody records.
+    /// The perturbed unit normal. `turning` gives n_u and n_v; it is asked only when nothing is to be dropped, and for the
+    /// account of what is when somebody records.
     pub fn normal<R: Recorder>(
         &self,
         site: &Site,
+        derivative: BumpDerivative,
         turning: impl FnOnce() -> Option<[DVec3; 2]>,
         recorder: &mut R,
     ) -> DVec3 {
@@ -136,7 +137,15 @@ impl Bump {
             }
         };
         let slopes = site.tangents.map(|tangent| gradient.dot(site.texture_from_world * tangent));
-        raised(self.name(), site, Rise { height, slopes }, turning, recorder)
+        raised((self.name(), derivative), site, Rise { height, slopes }, turning, recorder)
+    }
+
+    /// The turbulence, if it is one.
+    pub fn turbulence_mut(&mut self) -> Option<&mut Turbulence> {
+        match self {
+            Self::Noise { turbulence, .. } => Some(turbulence),
+            Self::Waves { .. } | Self::Facets(_) => None,
+        }
     }
 
     /// Stirs noise to another time.
@@ -199,7 +208,7 @@ mod tests {
             for p in points(300, 4.0) {
                 let slope = |axis: DVec3| (height(p + axis * H) - height(p - axis * H)) / (2.0 * H);
                 let expected = DVec3::new(-slope(DVec3::X), -slope(DVec3::Y), 1.0).normalize();
-                let found = bump.normal(&place(p), || None, &mut NullRecorder);
+                let found = bump.normal(&place(p), BumpDerivative::Dropped, || None, &mut NullRecorder);
                 assert!((found - expected).length() < 1e-7, "{}: {found} {expected}", bump.name());
             }
         }
@@ -226,8 +235,8 @@ mod tests {
         for bump in bumps() {
             let mut kept = Kept::default();
             for p in points(50, 4.0) {
-                let told = bump.normal(&place(p), || Some([DVec3::ZERO; 2]), &mut kept);
-                assert_eq!(told, bump.normal(&place(p), || None, &mut NullRecorder));
+                let told = bump.normal(&place(p), BumpDerivative::Dropped, || Some([DVec3::ZERO; 2]), &mut kept);
+                assert_eq!(told, bump.normal(&place(p), BumpDerivative::Dropped, || None, &mut NullRecorder));
                 assert!((told.length() - 1.0).abs() < 1e-15 && told.z > 0.0);
             }
             assert_every_line_holds(&kept);

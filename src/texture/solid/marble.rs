@@ -53,6 +53,11 @@ impl Marble {
         self.turbulence.noise.at_time(time);
     }
 
+    /// What pushes the veins.
+    pub const fn turbulence_mut(&mut self) -> &mut Turbulence {
+        &mut self.turbulence
+    }
+
     /// The colour at a point.
     pub fn colour(&self, p: DVec3, recorder: &mut impl Recorder) -> DVec3 {
         let turbulence = self.turbulence.told(p, recorder);

@@ -115,6 +115,17 @@ impl SolidTexture {
         }
     }
 
+    /// All turbulences in it.
+    pub fn turbulences_mut(&mut self) -> impl Iterator<Item = &mut Turbulence> {
+        let of_pattern = match &mut self.pattern {
+            Pattern::Checker(_) | Pattern::Gradient(_) => None,
+            Pattern::Wood(wood) => wood.turbulence_mut(),
+            Pattern::Mottled(mottled) => mottled.turbulence_mut(),
+            Pattern::Marble(marble) => Some(marble.turbulence_mut()),
+        };
+        self.warp.as_mut().map(|warp| &mut warp.turbulence).into_iter().chain(of_pattern)
+    }
+
     fn place(&self, p: DVec3, recorder: &mut impl Recorder) -> DVec3 {
         self.warp.as_ref().map_or(p, |warp| warp.moved(p, recorder))
     }

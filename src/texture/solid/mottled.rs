@@ -52,6 +52,14 @@ impl Mottled {
         }
     }
 
+    /// The turbulence, if it is one.
+    pub fn turbulence_mut(&mut self) -> Option<&mut Turbulence> {
+        match &mut self.mottle {
+            Mottle::Noise(..) => None,
+            Mottle::Turbulence(turbulence) => Some(turbulence),
+        }
+    }
+
     /// The colour at a point.
     pub fn colour(&self, p: DVec3, recorder: &mut impl Recorder) -> DVec3 {
         let n = match &self.mottle {

@@ -85,6 +85,11 @@ impl Wood {
         Ok(Self { grain, frame: [across, up, axis] })
     }
 
+    /// What stirs the rings, if anything does.
+    pub fn turbulence_mut(&mut self) -> Option<&mut Turbulence> {
+        self.grain.stirring.as_mut().map(|(turbulence, _)| turbulence)
+    }
+
     /// Stirs the noise to another time.
     pub fn at_time(&mut self, time: f64) {
         if let Some((turbulence, _)) = &mut self.grain.stirring {
