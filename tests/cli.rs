@@ -216,9 +216,11 @@ fn every_embedded_scene_traces_to_valid_json() {
 
 #[test]
 fn the_committed_schemas_are_those_that_the_program_prints() {
-    for (file, arguments) in
-        [("scene.schema.json", vec!["schema", "scene"]), ("trace.schema.json", vec!["schema", "trace"])]
-    {
+    for (file, arguments) in [
+        ("scene.schema.json", vec!["schema", "scene"]),
+        ("trace.schema.json", vec!["schema", "trace"]),
+        ("profile.schema.json", vec!["schema", "profile"]),
+    ] {
         let printed: Value = serde_json::from_str(&printed(&arguments)).unwrap();
         assert!(
             printed == committed_schema(file),

@@ -9,6 +9,7 @@ mod frames;
 mod open;
 mod output;
 mod probe;
+mod profile_argument;
 mod progress;
 mod render;
 mod scan;

@@ -3,6 +3,7 @@
 use super::failure::{Failure, warn};
 use super::frames::Frames;
 use super::output::Output;
+use super::profile_argument::ProfileArgument;
 use super::progress::{stopped_by_ctrl_c, with_bar};
 use super::scene_argument::{SceneArgument, SizeArguments};
 use super::stats::{self, Seconds, Stats};
@@ -23,6 +24,7 @@ Examples:
   rayscope render csg/bowl -o large.png --width 1920
   rayscope render my-scene.json -o picture.png --threads 1 --stats stats.json
   rayscope render csg/bowl -o slow.png --without boxes,hierarchy --stats slow.json
+  rayscope render lens/focus -o quick.png --accuracy draft
   rayscope render textures/marble -o marble.png --frames 1,225,450,900     marble_0001.png and so on
   rayscope render textures/marble -o marble.apng --frames 1..900:9         one animated picture
 
@@ -42,6 +44,8 @@ pub struct Render {
     rate: u16,
     #[command(flatten)]
     size: SizeArguments,
+    #[command(flatten)]
+    profile: ProfileArgument,
     /// Threads to render with [default: one for each core]; the picture is the same for any number
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
@@ -114,8 +118,10 @@ impl Render {
     /// Renders and writes.
     pub fn run(&self) -> Result<(), Failure> {
         let began = Instant::now();
-        let mut scene = self.scene.load_sized(self.size)?;
-        scene.shortcuts = self.shortcuts();
+        let mut scene = self.profile.apply(self.scene.load_sized(self.size)?)?;
+        if !self.without.is_empty() {
+            scene.shortcuts = self.shortcuts();
+        }
         let load = began.elapsed();
         match &self.frames {
             Some(frames) if self.output.extension().is_some_and(|ending| ending == "apng") => {

@@ -2,16 +2,17 @@
 
 use super::failure::Failure;
 use super::output::Output;
-use crate::scene::scene_schema;
+use crate::scene::{profile_schema, scene_schema};
 use crate::trace::trace_schema;
 use clap::{Args, ValueEnum};
 
-/// Print the JSON Schema of scene files or of recorded traces
+/// Print the JSON Schema of scene files, of recorded traces or of accuracy profiles
 #[derive(Args, Debug)]
 #[command(after_help = "\
 Examples:
   rayscope schema > scene.schema.json
   rayscope schema trace > trace.schema.json
+  rayscope schema profile > profile.schema.json
 
 With \"$schema\": \"scene.schema.json\" as its first member, an editor completes and checks a scene file.")]
 pub struct Schema {
@@ -26,6 +27,8 @@ enum Of {
     Scene,
     /// What `rayscope trace --format json` writes
     Trace,
+    /// What `rayscope accuracy --profile` writes and `rayscope render --accuracy` reads
+    Profile,
 }
 
 impl Schema {
@@ -34,6 +37,7 @@ impl Schema {
         let schema = match self.of {
             Of::Scene => scene_schema(),
             Of::Trace => trace_schema(),
+            Of::Profile => profile_schema(),
         };
         let text = serde_json::to_string_pretty(&schema).map_err(|error| Failure::refused(error.to_string()))?;
         Output::Standard.write((text + "\n").as_bytes())

@@ -3,6 +3,7 @@
 use super::drawn::{self, Theme, with_newline};
 use super::failure::Failure;
 use super::output::Output;
+use super::profile_argument::ProfileArgument;
 use super::scene_argument::{SceneArgument, SizeArguments};
 use super::trace_drawing::TraceDrawing;
 use crate::scene::Scene;
@@ -33,6 +34,8 @@ pub struct Trace {
     ray: Option<[DVec3; 2]>,
     #[command(flatten)]
     size: SizeArguments,
+    #[command(flatten)]
+    profile: ProfileArgument,
     /// What to write
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
@@ -67,7 +70,7 @@ impl Trace {
                 "--drawing says what a picture shows, so it needs --format svg or --format png",
             ));
         }
-        let scene = self.scene.load_sized(self.size)?;
+        let scene = self.profile.apply(self.scene.load_sized(self.size)?)?;
         let output = Output::create(self.output.as_deref())?;
         if self.format == Format::Png {
             drawn::check_png_has_a_file(&output)?;

@@ -10,7 +10,7 @@ use super::problem::{Path, Problems};
 use super::relief_file::BumpFile;
 use super::relief_reader::{bump, grain};
 use super::solid_texture_reader::{Fault, solid_texture};
-use super::texture_file::{FilterFile, MapFile, TextureFile, WrapFile};
+use super::texture_file::{MapFile, TextureFile, WrapFile};
 use crate::sample::Mask;
 use crate::texture::image::{Affine, Environment, Filter, ImageTexture, Layout, Mapping, Texels, Wrap, Wraps};
 use std::collections::BTreeMap;
@@ -94,7 +94,7 @@ impl<'a> CoatReader<'a> {
         if let TextureFile::Image { file, uv_from_st, parts, wrap, filter } = file {
             let texels = self.picture(file, path.field("file"))?;
             let mapping = self.mapping(uv_from_st, parts, path)?;
-            let image = ImageTexture { texels, mapping, wraps: wraps(*wrap), filter: filter_of(*filter) };
+            let image = ImageTexture { texels, mapping, wraps: wraps(*wrap), filter: Filter::from(*filter) };
             return Some(Texture::Image { image, parts: parts.keys().cloned().collect() });
         }
         self.without_fault(solid_texture(file)?, path).map(|moving| Texture::Solid(Box::new(moving)))
@@ -135,14 +135,4 @@ fn wraps(file: WrapFile) -> Wraps {
         WrapFile::Clamp => Wrap::Clamp,
     };
     Wraps { columns: wrap, rows: wrap }
-}
-
-fn filter_of(file: FilterFile) -> Filter {
-    match file {
-        FilterFile::Nearest => Filter::Nearest,
-        FilterFile::Bilinear => Filter::Bilinear,
-        FilterFile::Trilinear => Filter::Trilinear,
-        FilterFile::Area => Filter::Area,
-        FilterFile::Ewa => Filter::Ewa,
-    }
 }

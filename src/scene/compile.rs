@@ -3,7 +3,6 @@
 use super::LeafCoat;
 use super::camera::{Image, Sampling};
 use super::camera_reader::{camera, lens, sampling};
-use super::check::check;
 use super::coat_reader::CoatReader;
 use super::diagnostics::Diagnostics;
 use super::effects::{ALL_EFFECTS, Effects, Reason, reasons};
@@ -14,16 +13,15 @@ use super::lenient::Lenient;
 use super::light_reader::lights;
 use super::model::{Limits, Material, MediaPolicy, Object, Scene, Shortcuts, needs_beams};
 use super::object_index::ObjectIndex;
-use super::problem::{Path, Problem, Problems};
+use super::problem::{Path, Problems};
 use super::projection::View;
+use super::reading::read_checked;
 use super::rules::Rules;
 use super::solids::{Around, Cover, SolidReader, find_circles, place_of};
-use super::source::{locate, parse, to_value};
 use crate::optics::YELLOW;
 use crate::record::Effect;
 use crate::shape::Solving;
 use glam::DVec3;
-use serde::Deserialize;
 use serde_json::{Map, Value};
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
@@ -43,23 +41,7 @@ pub fn load(text: &str, origin: &str) -> Result<Scene, Diagnostics> {
 /// Everything that is wrong with the scene and with its pictures, not only the first.
 pub fn load_with(text: &str, origin: &str, files: &dyn Files) -> Result<Scene, Diagnostics> {
     static RULES: LazyLock<Rules> = LazyLock::new(|| Rules::new(scene_schema().as_value()));
-    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-    let ast = parse(text).map_err(|(range, message)| {
-        let problem = Problem { steps: Vec::new(), at_name: false, message, help: Vec::new() };
-        Diagnostics::new(origin, text, vec![(range, problem)], 0)
-    })?;
-    let mut problems = Problems::default();
-    let value = to_value(&ast, Path::Root, &mut problems);
-    check(&RULES, &RULES.root, &value, Path::Root, &mut problems);
-    let scene = SceneFile::deserialize(&value).ok().and_then(|file| compile(file, files, &mut problems));
-    match scene {
-        Some(scene) if problems.list.is_empty() => Ok(scene),
-        _ => {
-            let place = |problem: Problem| (locate(&ast, &problem.steps, problem.at_name), problem);
-            let left_out = problems.left_out;
-            Err(Diagnostics::new(origin, text, problems.distinct().into_iter().map(place).collect(), left_out))
-        }
-    }
+    read_checked(text, origin, &RULES, |file: SceneFile, problems| compile(file, files, problems))
 }
 
 /// Always `Some` where nothing is wrong.

@@ -28,7 +28,9 @@ mod object_index;
 mod pictures;
 mod problem;
 mod profile;
+mod profile_file;
 mod projection;
+mod reading;
 mod relief_file;
 mod relief_reader;
 mod rules;
@@ -62,6 +64,9 @@ pub use model::{Limits, Material, MediaPolicy, Object, Rgb, Scene, SceneEnvironm
 pub use object_index::ObjectIndex;
 pub use pictures::{decode, decode_heights};
 pub use profile::Profile;
+pub use profile_file::{
+    ArithmeticFile, BumpTermsFile, ProfileFile, RootsFile, SearchFile, SearchWord, ShortcutFile, profile_schema,
+};
 pub use projection::{Glance, Projection, View};
 pub use relief_file::{BumpFile, FrameFile};
 pub use sight::{Candidate, LightSight, Sight, Sights};
