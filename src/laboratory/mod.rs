@@ -22,6 +22,7 @@ mod results;
 mod stopwatch;
 mod study;
 mod subject;
+mod this_ray;
 mod timing;
 
 pub use answer::{Answer, Goal};
@@ -37,4 +38,5 @@ pub use reference_file::{NoStore, Store, checksum};
 pub use stopwatch::{Stopwatch, Taken, pinned_work};
 pub use study::{Run, study};
 pub use subject::setting_named;
+pub use this_ray::{Number, Parting, Story, Target, ThisRay, Told, digits_right, this_ray, time_methods};
 pub use timing::Repeat;
