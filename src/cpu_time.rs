@@ -1,5 +1,6 @@
 //! How long a thread has worked, not counting what it waited for.
 
+use crate::laboratory::Taken;
 use std::fs;
 use std::thread;
 use std::time::{Duration, Instant};
@@ -26,6 +27,17 @@ pub fn cpu_time<T>(work: impl FnOnce() -> T) -> (Duration, T) {
         _ => began.elapsed(),
     };
     (taken, result)
+}
+
+/// Does the work and says how long this thread worked for it and how long that was by the clock on the wall.
+pub fn taken(work: &mut (dyn FnMut() -> u64 + Send)) -> Taken {
+    let mut wall = Duration::ZERO;
+    let (worked, ()) = cpu_time(|| {
+        let began = Instant::now();
+        work();
+        wall = began.elapsed();
+    });
+    Taken { worked, wall }
 }
 
 /// The time that this thread has run.

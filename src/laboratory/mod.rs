@@ -5,8 +5,34 @@
 //! that has every knob at its best; so each is a **point**: error against seconds. Points that no other point beats in both
 //! are the **frontier**.
 
+mod answer;
+mod bench;
+mod combination;
+mod errors;
+mod frontier;
 mod knob;
+mod plan;
 mod point;
+mod proposal;
+mod reference;
+mod reference_file;
+mod referee;
+mod results;
+mod stopwatch;
+mod study;
+mod subject;
+mod timing;
 
+pub use answer::{Answer, Goal};
+pub use combination::{Base, Prediction, Step, predictions};
+pub use errors::errors;
+pub use frontier::{Standing, frontier};
 pub use knob::{Knob, Setting};
+pub use plan::{Earlier, Plan, Tools};
 pub use point::{Errors, Noise, Point, Reference, Study, Timing};
+pub use reference::{Sums, best_profile, is_random, reference_scene, what_is_true};
+pub use reference_file::{NoStore, Store, checksum};
+pub use stopwatch::{Stopwatch, Taken, pinned_work};
+pub use study::{Run, study};
+pub use subject::setting_named;
+pub use timing::Repeat;

@@ -9,4 +9,4 @@ mod measure;
 mod price;
 
 pub use measure::{Clock, Ledger, Row, Size, measure};
-pub use price::Price;
+pub use price::{Price, quantile};

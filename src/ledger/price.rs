@@ -34,7 +34,8 @@ impl Price {
 }
 
 /// The value below which a share of all values lies, between two of them by their distances; 0 for none.
-pub(super) fn quantile(mut values: Vec<f64>, share: f64) -> f64 {
+#[must_use]
+pub fn quantile(mut values: Vec<f64>, share: f64) -> f64 {
     values.sort_by(f64::total_cmp);
     let Some(last) = values.len().checked_sub(1) else { return 0.0 };
     let at = share * last as f64;

@@ -61,6 +61,19 @@ impl Picture {
         Self { width, height, pixels, computed: 0 }
     }
 
+    /// A picture of colours that were worked out elsewhere, row by row from the top; none if there are too many or too few.
+    #[must_use]
+    pub fn from_pixels(width: u32, height: u32, pixels: Vec<Rgb>) -> Option<Self> {
+        let computed = pixels.len();
+        (width as usize * height as usize == computed).then_some(Self { width, height, pixels, computed })
+    }
+
+    /// The linear colours of all pixels, row by row from the top.
+    #[must_use]
+    pub fn pixels(&self) -> &[Rgb] {
+        &self.pixels
+    }
+
     /// The linear colour of a pixel; (0, 0) is the top left one.
     #[must_use]
     pub fn pixel(&self, x: u32, y: u32) -> Rgb {

@@ -222,7 +222,7 @@ impl Painter<'_> {
 }
 
 /// 10⁻³ and the like; 1 and 10 as they are.
-fn power_of_ten(power: i32) -> String {
+pub(super) fn power_of_ten(power: i32) -> String {
     const DIGITS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
     match power {
         0 => "1".to_owned(),

@@ -1,0 +1,93 @@
+//! Makes the reference: takes it from where an earlier run left it, and adds pictures until it is sure enough.
+
+use super::bench::Bench;
+use super::errors::rmse;
+use super::reference::{FEWEST_PICTURES, Sums, best_profile, is_random, reference_scene};
+use super::{Reference, Store};
+use crate::scene::{Image, Scene};
+use crate::trace::{Picture, render};
+
+/// The reference is sure enough when its error is this share of the smallest that is compared with it: it adds 3 % to that.
+const SURER: f64 = 0.25;
+
+/// The reference of one scene in one size.
+pub(super) struct Referee {
+    scene: Scene,
+    name: String,
+    sums: Sums,
+    was_cached: bool,
+}
+
+impl Referee {
+    /// With what an earlier run left, if that can be used; otherwise with the reason why not.
+    pub fn new(scene: &Scene, store: &mut dyn Store, warnings: &mut Vec<String>) -> Self {
+        let Image { width, height } = scene.image;
+        let name = format!("{width} × {height}, seed {}, {:?}", scene.sampling.seed, best_profile(scene));
+        let mut sums = Sums::new(width, height);
+        if let Some(bytes) = store.load(&name) {
+            match Sums::from_bytes(&bytes, &name) {
+                Ok(found) => sums = found,
+                Err(why) => warnings.push(format!("the reference in the cache is of no use: {why}; it is made anew")),
+            }
+        }
+        let was_cached = sums.count > 0;
+        Self { scene: scene.clone(), name, sums, was_cached }
+    }
+
+    /// The pictures that it has to have.
+    pub fn fewest(scene: &Scene) -> u32 {
+        if is_random(scene) { FEWEST_PICTURES } else { 1 }
+    }
+
+    /// Adds the pictures that it has to have. None if that was interrupted.
+    pub fn begin(&mut self, bench: &mut Bench) -> Option<()> {
+        while self.sums.count < Self::fewest(&self.scene) {
+            self.add_picture(bench)?;
+        }
+        Some(())
+    }
+
+    /// Adds pictures until it is much surer than what these are off by, or so many seconds are used.
+    pub fn improve<'a>(
+        &mut self,
+        bench: &mut Bench,
+        seconds: f64,
+        pictures: impl Iterator<Item = &'a Picture> + Clone,
+    ) {
+        let mut used = 0.0;
+        while is_random(&self.scene) && !self.is_surer_than(pictures.clone()) {
+            let Some(taken) = self.add_picture(bench) else { return };
+            used += taken;
+            if used + taken > seconds {
+                return;
+            }
+        }
+    }
+
+    fn is_surer_than<'a>(&self, pictures: impl Iterator<Item = &'a Picture>) -> bool {
+        let Some(mean) = self.sums.mean() else { return false };
+        let least = pictures.map(|picture| rmse(picture, &mean)).fold(f64::INFINITY, f64::min);
+        self.sums.error() <= SURER * least
+    }
+
+    /// Adds one picture, on all threads. Says what it took; none if it was interrupted.
+    fn add_picture(&mut self, bench: &mut Bench) -> Option<f64> {
+        let best = reference_scene(&self.scene, self.sums.count);
+        let progress = bench.progress;
+        let mut picture = None;
+        let seconds = bench.spend(&mut || {
+            let rendered = render(&best, progress).0;
+            let work = rendered.computed() as u64;
+            picture = Some(rendered);
+            work
+        });
+        self.sums.add(&picture.filter(|_| !progress.cancelled())?);
+        Some(seconds)
+    }
+
+    /// Keeps it for later runs, and says what it is.
+    pub fn finish(&self, store: &mut dyn Store) -> Option<Reference> {
+        store.save(&self.name, &self.sums.to_bytes(&self.name));
+        self.sums.reference(&self.scene, self.was_cached)
+    }
+}

@@ -1,0 +1,83 @@
+//! From what was measured to points: the scene as it stands, each setting, each combination.
+
+use super::bench::Bench;
+use super::errors::errors;
+use super::frontier::frontier;
+use super::subject::Subject;
+use super::timing::Repeat;
+use super::{Knob, Point, Reference, Setting, Study};
+use crate::scene::Profile;
+use crate::trace::Picture;
+
+/// Compares the pictures that were not compared yet. The first subject is the scene as it stands.
+pub(super) fn judge(subjects: &mut [Subject], reference: &Reference) {
+    let Some(standard) = subjects.first().and_then(|subject| subject.picture.clone()) else { return };
+    for subject in subjects.iter_mut().filter(|subject| subject.errors.is_none()) {
+        let compared = |picture: &Picture| [&reference.picture, &standard].map(|truth| errors(picture, truth));
+        subject.errors = subject.picture.as_ref().map(compared);
+    }
+}
+
+/// What is known of subjects by now, and the repeats behind each time: of the scene as it stands, then of the points in
+/// their order. Subjects that were not timed yet are left out.
+pub(super) fn results(subjects: &[Subject], reference: &Reference, bench: &Bench) -> (Study, Vec<Vec<Repeat>>) {
+    let on = on_frontier(subjects, bench.resolution);
+    let point = |k: usize, settings: &[Setting]| point(&subjects[k], settings, on[k], bench.resolution, reference);
+    let places = in_order(subjects);
+    let repeats = std::iter::once(0).chain(places.iter().map(|(k, _)| *k)).map(|k| subjects[k].repeats.clone());
+    let study = Study {
+        reference: reference.clone(),
+        standard: point(0, &[]),
+        points: places.iter().map(|(k, settings)| point(*k, settings)).collect(),
+        resolution: bench.resolution,
+        waiting: bench.waiting(),
+    };
+    (study, repeats.collect())
+}
+
+/// Every name with its subject: single settings in the order of the knobs and of their values, then all others.
+fn in_order(subjects: &[Subject]) -> Vec<(usize, Vec<Setting>)> {
+    let order: Vec<Setting> = Knob::ALL.into_iter().flat_map(Knob::settings).collect();
+    let rank = |settings: &[Setting]| match settings {
+        [single] => order.iter().position(|setting| setting == single).unwrap_or(order.len()),
+        _ => order.len(),
+    };
+    let timed = subjects.iter().enumerate().filter(|(_, subject)| !subject.repeats.is_empty());
+    let names = timed.flat_map(|(k, subject)| subject.names.iter().map(move |name| (k, name.clone())));
+    let mut names: Vec<_> = names.filter(|(_, name)| !name.is_empty()).collect();
+    names.sort_by_key(|(_, name)| rank(name));
+    names
+}
+
+fn point(subject: &Subject, settings: &[Setting], on_frontier: bool, resolution: f64, reference: &Reference) -> Point {
+    let [error, change] = subject.errors.unwrap_or_default();
+    let mut point = Point {
+        settings: settings.to_vec(),
+        profile: settings.iter().fold(Profile::STANDARD, |profile, setting| profile.or(setting.profile)),
+        timing: subject.timing(resolution),
+        errors: error,
+        change,
+        on_frontier,
+        picture: subject.picture.clone().unwrap_or_else(|| reference.picture.clone()),
+    };
+    if point.is_control() {
+        // It must equal the scene as it stands, whatever that is off by, and is no choice.
+        point.errors = change;
+        point.on_frontier = false;
+    }
+    point
+}
+
+/// Which subjects are on the frontier. Those that are nothing but controls have no place there.
+fn on_frontier(subjects: &[Subject], resolution: f64) -> Vec<bool> {
+    let is_choice = |subject: &Subject| subject.names.iter().any(|name| !name.iter().any(|s| s.knob.is_control()));
+    let standing = |subject: &Subject| {
+        let timing = subject.timing(resolution);
+        timing.standing(subject.errors.as_ref()?[0].rmse).filter(|_| is_choice(subject))
+    };
+    let standings: Vec<_> = subjects.iter().enumerate().filter_map(|(k, s)| Some((k, standing(s)?))).collect();
+    let on = frontier(&standings.iter().map(|(_, standing)| *standing).collect::<Vec<_>>());
+    let mut flags = vec![false; subjects.len()];
+    standings.iter().zip(on).for_each(|((k, _), on)| flags[*k] = on);
+    flags
+}
