@@ -60,7 +60,8 @@ fn correction(study: &Study, steps: &[Step], base: &Base) -> [f64; 2] {
         Some([point.timing.told()? / predicted.seconds, point.errors.rmse / predicted.error])
     };
     let combined = study.points.iter().filter(|point| point.settings.len() > 1);
-    let off: Vec<[f64; 2]> = combined.filter_map(off).filter(|off| off.iter().all(|x| x.is_finite() && *x > 0.0)).collect();
+    let off: Vec<[f64; 2]> =
+        combined.filter_map(off).filter(|off| off.iter().all(|x| x.is_finite() && *x > 0.0)).collect();
     let median = |k: usize| if off.is_empty() { 1.0 } else { quantile(off.iter().map(|off| off[k]).collect(), 0.5) };
     [median(0), median(1)]
 }

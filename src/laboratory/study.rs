@@ -9,8 +9,8 @@
 
 use super::bench::Bench;
 use super::proposal::proposals;
-use super::reference::reference_scene;
 use super::referee::Referee;
+use super::reference::reference_scene;
 use super::results::{judge, results};
 use super::subject::{Subject, add, narrowed, subjects};
 use super::timing::{FEWEST_REPEATS, Repeat};
@@ -109,7 +109,8 @@ fn size_for_the_budget(scene: &Scene, plan: &Plan, bench: &mut Bench) -> Image {
     let taken = |bench: &mut Bench, mut pilot| bench.warm_up(&mut pilot).map_or(0.0, |taken| taken.wall.as_secs_f64());
     let looks: f64 = subjects(&small, &plan.knobs).into_iter().map(|pilot| taken(bench, pilot)).sum();
     let (best, progress) = (reference_scene(&small, 0), bench.progress);
-    let reference = f64::from(Referee::fewest(&small)) * bench.spend(&mut || render(&best, progress).0.computed() as u64);
+    let reference =
+        f64::from(Referee::fewest(&small)) * bench.spend(&mut || render(&best, progress).0.computed() as u64);
     let fits = |size: &Image| {
         let times = pixels(*size) / pixels(small.image);
         RENDERINGS * times * looks <= MEASURING * plan.budget && times * reference <= REFERRING * plan.budget
