@@ -1,5 +1,6 @@
 //! The command line: one file for each command.
 
+mod accuracy_ray;
 mod bench;
 mod drawn;
 mod effects;
