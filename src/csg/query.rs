@@ -24,8 +24,8 @@ pub(super) struct Query<'a> {
 }
 
 impl<'a> Query<'a> {
-    pub const fn new(solid: &'a Solid, course: &'a Course) -> Self {
-        Self { solid, course, is_met: false, tie: Cell::new(None), widened: RefCell::new(SmallVec::new_const()) }
+    pub fn new(solid: &'a Solid, course: &'a Course) -> Self {
+        Self { solid, course, is_met: false, tie: Cell::new(None), widened: RefCell::new(SmallVec::new()) }
     }
 
     /// For a ray that is known to meet the box of the whole solid, or not known to.
