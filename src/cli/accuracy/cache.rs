@@ -123,7 +123,7 @@ mod tests {
         let scene = folder.path().join("scene.json");
         fs::write(
             &scene,
-            r#"{"materials": {"m": {"texture": {"image": "p.png"}}},
+            r#"{"materials": {"m": {"texture": {"kind": "image", "file": "p.png"}}},
                 "objects": [{"shape": "sphere", "material": "m"}]}"#,
         )
         .unwrap();

@@ -82,7 +82,8 @@ pub fn numbers(event: &Event, twin: Option<&Event>, is_inherited: bool, reach: f
     if has_no_results(&event.what) {
         return Vec::new();
     }
-    let mut numbers: Vec<_> = event.working.iter().filter_map(|line| of_line(line, twin, is_inherited)).collect();
+    let mut numbers: Vec<_> =
+        event.working.iter().filter_map(|line| of_line(line, twin, is_inherited, reach)).collect();
     if let Some(twin) = twin.filter(|_| !is_working(&event.what)) {
         let truths = twin.what.quantities();
         for quantity in event.what.quantities().into_iter().filter(|quantity| !quantity.name.ends_with("error")) {
@@ -94,20 +95,21 @@ pub fn numbers(event: &Event, twin: Option<&Event>, is_inherited: bool, reach: f
     numbers
 }
 
-/// `t`, or a list's `candidates 2 t`.
+/// `t`, `t₁`, `t₂`, or a list's `candidates 2 t`.
 fn is_time(name: &str) -> bool {
-    name.rsplit(' ').next() == Some("t")
+    name.rsplit(' ').next().is_some_and(|last| matches!(last, "t" | "t₁" | "t₂"))
 }
 
-fn of_line(line: &Working, twin: Option<&Event>, is_inherited: bool) -> Option<Number> {
+fn of_line(line: &Working, twin: Option<&Event>, is_inherited: bool, reach: f64) -> Option<Number> {
     let parts = parts(&line.result)?;
     let truth = twin
         .and_then(|twin| twin.working.iter().find(|other| other.symbol == line.symbol))
         .and_then(|other| self::parts(&other.result));
-    let size = parts.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+    let least = if is_time(&line.symbol) { reach } else { 0.0 };
+    let size = parts.iter().fold(least, |most, x| most.max(x.abs()));
     let shadow = line.accuracy.map(|accuracy| accuracy.error);
     let inherited = truth.filter(|_| is_inherited || shadow.is_none());
-    let compared = inherited.map(|truth| Number::compared(&line.symbol, &parts, &truth, 0.0));
+    let compared = inherited.map(|truth| Number::compared(&line.symbol, &parts, &truth, least));
     let error = match (shadow, compared) {
         (Some(shadow), Some(compared)) => larger(shadow, compared.error),
         (Some(shadow), None) => shadow,
@@ -154,7 +156,7 @@ mod tests {
 
     #[test]
     fn hit_times_are_told_from_other_numbers_by_their_name() {
-        assert!(is_time("t") && is_time("candidates 2 t") && is_time("combined 1 enter t"));
+        assert!(is_time("t") && is_time("t₂") && is_time("candidates 2 t") && is_time("combined 1 enter t"));
         assert!(!is_time("point") && !is_time("n_t") && !is_time("st"));
     }
 }

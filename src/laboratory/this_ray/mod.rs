@@ -14,15 +14,19 @@
 
 mod digits;
 mod flow;
+mod outline;
 mod parting;
 mod target;
+mod text;
 mod timing;
 mod twins;
 
 pub use digits::{Number, digits_right};
 pub use flow::Told;
+pub use outline::OutlineRow;
 pub use parting::Parting;
 pub use target::Target;
+pub use text::this_ray_text;
 pub use timing::time_methods;
 
 use crate::record::{EventId, What};
