@@ -17,7 +17,10 @@ const LAYERS: &[(&str, &[&str])] = &[
     ("trace", &["record", "math", "shape", "csg", "optics", "texture", "sample", "scene"]),
     ("view", &["record", "math", "shape", "csg", "optics", "texture", "sample", "scene", "trace"]),
     ("accuracy", &["record", "math", "shape", "csg", "optics", "texture", "sample", "scene", "trace", "view"]),
-    ("laboratory", &["record", "math", "shape", "csg", "texture", "sample", "scene", "trace", "view", "accuracy", "ledger"]),
+    (
+        "laboratory",
+        &["record", "math", "shape", "csg", "texture", "sample", "scene", "trace", "view", "accuracy", "ledger"],
+    ),
     ("ledger", &["record", "scene", "trace"]),
     ("peer", &["record", "shape", "csg", "sample", "scene"]),
     (

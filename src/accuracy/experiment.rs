@@ -1,4 +1,5 @@
-//! Every solver followed into the distance, and towards tangents: how large its error, and how often its answer is wrong.
+//! Every solver followed into the distance, towards tangents, and to objects of small size: how large its error, and how often
+//! its answer is wrong.
 //!
 //! **The truth** is what arithmetic with 32 digits finds for the ray as it is given. **The unit** of errors is the attainable
 //! floor: what half a last digit (of `f64`) of the ray's numbers can move the hit by, u Σ|∂F/∂xᵢ| (|Sᵢ| + |t cᵢ|) / |∇F · c|, and
@@ -8,10 +9,11 @@ use super::hits::hits;
 use super::oracle::Target;
 use super::random::Random;
 use super::subject::Subject;
+use crate::csg::{Leaf, Placement, Solid};
 use crate::math::{DoubleDouble, Real};
 use crate::record::NullRecorder;
 use crate::shape::{Crossing, Crossings, GenericRay, Method, Primitive, Shape};
-use glam::DVec3;
+use glam::{DAffine3, DQuat, DVec3};
 use rayon::prelude::*;
 
 /// What is varied.
@@ -21,6 +23,8 @@ pub enum Question {
     Distance,
     /// How close to a tangent or an edge it passes.
     Tangency,
+    /// How small the object is, where it stands one unit from the origin of the world.
+    Scale,
 }
 
 /// Rays for each place on the x axis: enough for 99 of 100 to mean something.
@@ -32,7 +36,7 @@ const SEED: u64 = 2_026;
 /// How the solvers did at one place, in the order of [`Method::ALL`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Place {
-    /// The distance or gap, in sizes.
+    /// The distance or gap, in sizes; or the scale of the object.
     pub x: f64,
     /// The error that 99 of 100 rays do not exceed whose hits were all found; NaN where these are too few to say.
     pub error: [f64; 5],
@@ -41,13 +45,14 @@ pub struct Place {
 }
 
 impl Question {
-    /// The places, in sizes: two for each power of ten.
+    /// The places, in sizes or scales: two for each power of ten.
     #[must_use]
     pub fn places(self) -> Vec<f64> {
         let halves = |from: i32, to: i32| (from..=to).map(|half| 10.0_f64.powf(0.5 * f64::from(half)));
         match self {
             Self::Distance => halves(0, 16).collect(),
             Self::Tangency => halves(-32, -2).rev().collect(),
+            Self::Scale => halves(-16, 0).rev().collect(),
         }
     }
 }
@@ -74,7 +79,13 @@ pub fn experiment(
 }
 
 fn place(question: Question, subject: &Subject, index: u64, x: f64) -> Place {
-    let target = Target::Shape(subject.shape.clone());
+    let placement = (question == Question::Scale).then(|| placed(x)).flatten();
+    let target = match &placement {
+        Some(placement) => {
+            Target::Solid(Box::new(Solid::leaf(Leaf::new("", subject.shape.clone(), placement.clone()))))
+        }
+        None => Target::Shape(subject.shape.clone()),
+    };
     let (mut errors, mut wrong) = ([const { Vec::new() }; 5], [0_u32; 5]);
     let mut sent = 0_u32;
     for number in 0..RAYS {
@@ -82,10 +93,14 @@ fn place(question: Question, subject: &Subject, index: u64, x: f64) -> Place {
         let ray = match question {
             Question::Distance => Some(subject.ray_from(x, &mut random)),
             Question::Tangency => subject.ray_beside(x, &mut random),
+            Question::Scale => placement.as_ref().map(|placement| in_world(placement, subject.ray_from(NEAR, &mut random))),
         };
         let Some((origin, direction)) = ray else { continue };
         sent += 1;
-        let exact = exact(&subject.shape, origin, direction);
+        let exact = match &placement {
+            Some(placement) => exact_in_world(&subject.shape, placement, [origin, direction]),
+            None => exact(&subject.shape, origin, direction),
+        };
         for (k, solver) in Method::ALL.into_iter().enumerate() {
             match largest_error(&hits(solver, &target, origin, direction), &exact) {
                 // A miss that is seen as one has no error.
@@ -96,6 +111,23 @@ fn place(question: Question, subject: &Subject, index: u64, x: f64) -> Place {
         }
     }
     Place { x, error: errors.map(most), wrong: wrong.map(|wrong| f64::from(wrong) / f64::from(sent.max(1))) }
+}
+
+/// Where small objects stand: one unit from the origin, at no simple number.
+const SITE: DVec3 = DVec3::new(0.48, -0.6, 0.64);
+
+/// Rays at small objects start so many of the object's sizes away: near enough that distance has no say.
+const NEAR: f64 = 4.0;
+
+/// The placement of an object of this scale.
+fn placed(scale: f64) -> Option<Placement> {
+    Placement::new(DAffine3::from_scale_rotation_translation(DVec3::splat(scale), DQuat::IDENTITY, SITE)).ok()
+}
+
+/// A ray in generic coordinates as a ray of the world, rounded to what its numbers can hold there.
+fn in_world(placement: &Placement, (origin, direction): (DVec3, DVec3)) -> (DVec3, DVec3) {
+    let world = placement.world_from_generic();
+    (world.transform_point3(origin), world.transform_vector3(direction).normalize())
 }
 
 /// What 99 of 100 do not exceed.
@@ -122,6 +154,21 @@ fn exact(shape: &Shape, origin: DVec3, direction: DVec3) -> Vec<(f64, f64)> {
     found.iter().map(|hit| (hit.t, floor(hit))).collect()
 }
 
+/// The same of a placed primitive, for the numbers of the ray in the world.
+fn exact_in_world(shape: &Shape, placement: &Placement, line: [DVec3; 2]) -> Vec<(f64, f64)> {
+    let ray = placement.generic_ray::<DoubleDouble>(&line);
+    let mut found = Crossings::new();
+    shape.crossings(&ray, &mut NullRecorder, &mut found);
+    let floor = |hit: &Crossing| {
+        let point = ray.point(DoubleDouble::from_f64(hit.t / ray.t_per_tau));
+        let normal = placement.world_normal(shape.normal(point, hit.part));
+        let moved = normal.abs().dot(line[0].abs() + line[1].abs() * hit.t.abs());
+        let half_ulp = 0.5 * (hit.t.abs().next_up() - hit.t.abs());
+        f64::UNIT_ROUNDOFF * moved / normal.dot(line[1]).abs() + half_ulp
+    };
+    found.iter().map(|hit| (hit.t, floor(hit))).collect()
+}
+
 /// The largest error in units of the floor; none where a hit is missing or one too many.
 fn largest_error(found: &[f64], exact: &[(f64, f64)]) -> Option<f64> {
     let error = |(t, (exact, floor)): (&f64, &(f64, f64))| (t - exact).abs() / floor;
@@ -144,6 +191,24 @@ mod tests {
         }
         assert!(near.wrong[4] == 0.0 && far.wrong[4] > 0.1, "{near:?} {far:?}");
         assert!(near.error[0] > 1e5);
+    }
+
+    #[test]
+    fn small_objects_are_lost_by_single_precision_alone() {
+        let cube = subject("cube").unwrap();
+        let [large, small, tiny] = [(0, 1.0), (1, 1e-6), (2, 1e-8)].map(|(k, x)| place(Question::Scale, &cube, k, x));
+        let of = |place: &Place, method| {
+            let k = Method::ALL.iter().position(|other| *other == method).unwrap();
+            (place.error[k], place.wrong[k])
+        };
+        for method in [Method::Double, Method::Adaptive] {
+            for place in [&large, &small, &tiny] {
+                let (error, wrong) = of(place, method);
+                assert!(error < 8.0 && wrong == 0.0, "{method:?} {place:?}");
+            }
+        }
+        // Six digits of seven are gone: f32 can tell the object from its surroundings, but not where it is hit.
+        assert!(of(&large, Method::Single).1 == 0.0 && of(&tiny, Method::Single).1 > 0.5, "{large:?} {tiny:?}");
     }
 
     #[test]

@@ -2,7 +2,7 @@
 
 use super::oracle::Target;
 use crate::csg::{Node, Solid};
-use crate::math::{Alone, DoubleDouble, Real};
+use crate::math::{Alone, DoubleDouble, Precise, Real};
 use crate::record::{NullRecorder, Operator};
 use crate::shape::{Crossings, GenericRay, Method, Primitive, textbook};
 use glam::DVec3;
@@ -15,6 +15,7 @@ pub fn hits(method: Method, target: &Target, origin: DVec3, direction: DVec3) ->
         Method::Double => with::<Alone<f64>>(target, origin, direction),
         Method::Adaptive => with::<f64>(target, origin, direction),
         Method::DoubleDouble => with::<DoubleDouble>(target, origin, direction),
+        Method::Exact => with::<Precise>(target, origin, direction),
         Method::Textbook => by_the_book(target, origin, direction).iter().map(|hit| hit.t).collect(),
     }
 }

@@ -22,6 +22,11 @@ pub fn plot(question: Question, subject: &Subject, places: &[Place]) -> LogPlot 
         (Question::Distance, _) => {
             ("error and wrong answers against distance", "distance of the ray's start, in sizes of the shape", [0, 8])
         }
+        (Question::Scale, _) => (
+            "error and wrong answers against size",
+            "scale of the object, which stands one unit from the origin of the world",
+            [0, -8],
+        ),
         (Question::Tangency, true) => (
             "error and wrong answers near an edge",
             "gap between the ray and an edge, in sizes of the shape",

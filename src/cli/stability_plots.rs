@@ -1,4 +1,4 @@
-//! The plots of `rayscope stability`: the solvers followed into the distance and towards tangents.
+//! The plots of `rayscope stability`: the solvers followed into the distance, towards tangents and to small objects.
 
 use super::drawn::{self, Theme};
 use super::failure::{Failure, reason};
@@ -20,16 +20,19 @@ pub enum PlotKind {
     Distance,
     /// Error and wrong answers against the gap between the ray and a tangent or edge
     Tangency,
+    /// Error and wrong answers against the size of the object, which stands one unit from the origin of the world
+    Scale,
 }
 
 impl PlotKind {
-    /// Both.
-    pub const ALL: [Self; 2] = [Self::Distance, Self::Tangency];
+    /// All of them.
+    pub const ALL: [Self; 3] = [Self::Distance, Self::Tangency, Self::Scale];
 
     const fn question(self) -> Question {
         match self {
             Self::Distance => Question::Distance,
             Self::Tangency => Question::Tangency,
+            Self::Scale => Question::Scale,
         }
     }
 
@@ -43,6 +46,7 @@ impl PlotKind {
         let kind = match self {
             Self::Distance => "distance",
             Self::Tangency => "tangency",
+            Self::Scale => "scale",
         };
         format!("error_{kind}_{}.svg", subject.name)
     }

@@ -5,7 +5,7 @@ use super::placement::PlacedRay;
 use super::report;
 use super::wide_union::WideUnion;
 use super::{Boundary, Course, Enclosure, Extent, IntervalList, Leaf, Node, Solid};
-use crate::math::{Alone, DoubleDouble, Real};
+use crate::math::{Alone, DoubleDouble, Precise, Real};
 use crate::record::{Counter, NullRecorder, Operator, Recorder, Sense};
 use crate::shape::{Crossings, Method, Primitive, Solving};
 use std::cell::Cell;
@@ -47,6 +47,7 @@ impl<'a> Query<'a> {
             Method::Double | Method::Textbook => self.whole::<Alone<f64>, _>(recorder),
             Method::Adaptive => self.whole::<f64, _>(recorder),
             Method::DoubleDouble => self.whole::<DoubleDouble, _>(recorder),
+            Method::Exact => self.whole::<Precise, _>(recorder),
         }
     }
 
@@ -170,8 +171,9 @@ impl<'a> Query<'a> {
         recorder: &mut R,
     ) -> IntervalList {
         recorder.count(Counter::ShapeTest(leaf.shape.index()));
-        recorder.note(|| report::transform(leaf, self.course.line));
         let ray = leaf.placement.generic_ray::<A>(&self.course.line);
+        let is_measuring = recorder.is_measuring();
+        recorder.note(|| report::transform(leaf, self.course.line, ray.shown(is_measuring)));
         let mut crossings = Crossings::new();
         if let Some(exhibit) = self.course.solving.exhibit(&leaf.shape) {
             exhibit.crossings(&leaf.shape, &leaf.placement.generic_ray(&self.course.line), recorder, &mut crossings);

@@ -3,7 +3,7 @@
 use super::combine::Tie;
 use super::{Ball, Boundary, Course, Extent, Interval, IntervalList, Leaf, Node, Solid};
 use crate::math::{DoubleDouble, Real};
-use crate::record::{Certificate, Edge, Entry, Operator, Recorder, Span, Tier, Value, What};
+use crate::record::{Certificate, Edge, Entry, Measured, Operator, Recorder, Span, Tier, Triple, Value, What};
 use glam::DVec3;
 
 /// The test against a box.
@@ -21,17 +21,15 @@ pub fn ball(name: &str, ball: &Ball, course: &Course, is_met: bool) -> Entry {
     Entry::new(What::Ball { of: name.to_owned(), centre: centre.to_array(), radius, distance, is_met })
 }
 
-/// The ray in a primitive's generic coordinates, unscaled.
+/// The ray in a primitive's generic coordinates, unscaled: S and c are the very numbers that are solved with.
 #[track_caller]
-pub fn transform(leaf: &Leaf, [origin, direction]: [DVec3; 2]) -> Entry {
-    let inverse = &leaf.placement.generic_from_world();
-    let (s, c) = (inverse.transform_point3(origin).to_array(), inverse.transform_vector3(direction).to_array());
+pub fn transform(leaf: &Leaf, [origin, direction]: [DVec3; 2], [s, c]: [Measured<Triple>; 2]) -> Entry {
     let bindings = |v: DVec3| [("origin", Value::from(v.to_array())), ("direction", Value::from(v.to_array()))];
     Entry::new(What::Transform {
         of: leaf.name.clone(),
         inverse: leaf.placement.inverse_rows(),
-        origin: s,
-        direction: c,
+        origin: s.value,
+        direction: c.value,
     })
     .line("S", "M⁻¹ origin", &bindings(origin), s)
     .line("c", "M⁻¹ direction", &bindings(direction), c)

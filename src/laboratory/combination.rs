@@ -88,9 +88,8 @@ pub fn predictions(steps: &[Step], base: &Base) -> Vec<Prediction> {
     let mut partials = vec![nothing];
     for knob in Knob::ALL {
         let own = steps.iter().enumerate().filter(|(_, step)| step.setting.knob == knob);
-        let with: Vec<Partial> = own
-            .flat_map(|(k, step)| partials.iter().filter_map(move |partial| partial.with(k, step, base)))
-            .collect();
+        let with: Vec<Partial> =
+            own.flat_map(|(k, step)| partials.iter().filter_map(move |partial| partial.with(k, step, base))).collect();
         partials.extend(with);
         partials = thinned(partials, base);
     }
@@ -110,7 +109,8 @@ fn thinned(partials: Vec<Partial>, base: &Base) -> Vec<Partial> {
         error: partial.squared_error(base).sqrt(),
     };
     let on = frontier(&partials.iter().map(standing).collect::<Vec<_>>());
-    let mut kept: Vec<Partial> = partials.into_iter().zip(on).filter(|(_, on)| *on).map(|(partial, _)| partial).collect();
+    let mut kept: Vec<Partial> =
+        partials.into_iter().zip(on).filter(|(_, on)| *on).map(|(partial, _)| partial).collect();
     kept.sort_by(|a, b| a.squared_error(base).total_cmp(&b.squared_error(base)));
     spread_out(kept, KEPT)
 }
@@ -208,7 +208,8 @@ mod tests {
 
     #[test]
     fn counts_between_measured_ones_follow_their_power_laws() {
-        let measured = [step("samples", "4", 1.0, 0.08), step("samples", "16", 4.0, 0.04), step("samples", "64", 16.0, 0.02)];
+        let measured =
+            [step("samples", "4", 1.0, 0.08), step("samples", "16", 4.0, 0.04), step("samples", "64", 16.0, 0.02)];
         let all = between(&measured);
         let of = |count: &str| all.iter().find(|step| step.setting.value == count).unwrap();
         assert!((of("8").factor - 2.0).abs() < 1e-12 && (of("8").error - 0.08 / 2.0_f64.sqrt()).abs() < 1e-12);

@@ -14,13 +14,14 @@ mod knob;
 mod plan;
 mod point;
 mod proposal;
+mod referee;
 mod reference;
 mod reference_file;
-mod referee;
 mod results;
 mod stopwatch;
 mod study;
 mod subject;
+mod this_ray;
 mod timing;
 
 pub use answer::{Answer, Goal};
@@ -35,4 +36,7 @@ pub use reference_file::{NoStore, Store, checksum};
 pub use stopwatch::{Stopwatch, Taken, pinned_work};
 pub use study::{Run, study};
 pub use subject::setting_named;
+pub use this_ray::{
+    Number, OutlineRow, Parting, Story, Target, ThisRay, Told, digits_right, this_ray, this_ray_text, time_methods,
+};
 pub use timing::Repeat;

@@ -69,7 +69,10 @@ pub fn resolution(stopwatch: &mut dyn Stopwatch) -> f64 {
         return median;
     }
     // A clock that moves in steps: work that grows until it is seen.
-    (0..32).map(|doublings| stopwatch.time(&mut || steps(1 << doublings)).worked.as_secs_f64()).find(|&t| t > 0.0).unwrap_or(0.0)
+    (0..32)
+        .map(|doublings| stopwatch.time(&mut || steps(1 << doublings)).worked.as_secs_f64())
+        .find(|&t| t > 0.0)
+        .unwrap_or(0.0)
 }
 
 #[cfg(test)]

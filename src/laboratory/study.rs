@@ -9,8 +9,8 @@
 
 use super::bench::Bench;
 use super::proposal::proposals;
-use super::reference::reference_scene;
 use super::referee::Referee;
+use super::reference::reference_scene;
 use super::results::{judge, results};
 use super::subject::{Subject, add, narrowed, subjects};
 use super::timing::{FEWEST_REPEATS, Repeat};
@@ -109,7 +109,8 @@ fn size_for_the_budget(scene: &Scene, plan: &Plan, bench: &mut Bench) -> Image {
     let taken = |bench: &mut Bench, mut pilot| bench.warm_up(&mut pilot).map_or(0.0, |taken| taken.wall.as_secs_f64());
     let looks: f64 = subjects(&small, &plan.knobs).into_iter().map(|pilot| taken(bench, pilot)).sum();
     let (best, progress) = (reference_scene(&small, 0), bench.progress);
-    let reference = f64::from(Referee::fewest(&small)) * bench.spend(&mut || render(&best, progress).0.computed() as u64);
+    let reference =
+        f64::from(Referee::fewest(&small)) * bench.spend(&mut || render(&best, progress).0.computed() as u64);
     let fits = |size: &Image| {
         let times = pixels(*size) / pixels(small.image);
         RENDERINGS * times * looks <= MEASURING * plan.budget && times * reference <= REFERRING * plan.budget
@@ -169,8 +170,13 @@ impl Studying<'_, '_> {
     /// Renders the combinations that promise most, and times them a few times. Says whether any of them is new.
     fn combine(&mut self) -> bool {
         let before = self.subjects.len();
-        for settings in proposals(&self.study(), &self.plan.goals, self.scale()) {
-            add(&mut self.subjects, Subject::new(&self.scene, settings));
+        let mut left = self.plan.budget - self.bench.spent;
+        for proposal in proposals(&self.study(), &self.plan.goals, self.scale()) {
+            let price = f64::from(1 + FEWEST_REPEATS) * proposal.seconds;
+            if price < left {
+                left -= price;
+                add(&mut self.subjects, Subject::new(&self.scene, proposal.settings));
+            }
         }
         let mut rendered = before;
         while rendered < self.subjects.len() && !self.is_over() {

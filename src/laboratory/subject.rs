@@ -36,9 +36,7 @@ impl Subject {
     #[must_use]
     pub fn timing(&self, resolution: f64) -> Timing {
         let batch = f64::from(self.batch);
-        Timing::of(&self.repeats, |seconds| {
-            if resolution > 0.0 { seconds * batch / resolution } else { f64::INFINITY }
-        })
+        Timing::of(&self.repeats, |seconds| if resolution > 0.0 { seconds * batch / resolution } else { f64::INFINITY })
     }
 
     /// Renders its picture; none if that was interrupted.

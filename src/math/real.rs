@@ -1,9 +1,10 @@
 //! The arithmetic that a solver is written in, as a type.
 //!
 //! `f32`, `f64` and [`DoubleDouble`](super::DoubleDouble) hold numbers; [`Traced`](super::Traced) holds a number of one of
-//! these with a running bound on its error; [`Alone`](super::Alone) is one of these that never turns to another.
+//! these with a running bound on its error, [`Shadowed`](super::Shadowed) one with its true error; [`Alone`](super::Alone) is
+//! one of these that never turns to another. [`Precise`](super::Precise) is what all are measured against.
 
-use super::DoubleDouble;
+use super::{DoubleDouble, Precise};
 use std::fmt::Debug;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -39,7 +40,7 @@ pub trait Real:
     fn from_f64(x: f64) -> Self;
     /// The nearest `f64`.
     fn to_f64(self) -> f64;
-    /// Bound on the error of the number, for arithmetics that keep one.
+    /// The error of the number, or a bound on it, for arithmetics that keep account.
     fn error(self) -> Option<f64> {
         None
     }
@@ -47,6 +48,14 @@ pub trait Real:
     fn widen(self) -> DoubleDouble;
     /// The nearest number of this type to one with more digits.
     fn narrow(wide: DoubleDouble) -> Self;
+    /// The number itself, with digits to spare.
+    fn to_exact(self) -> Precise {
+        Precise::narrow(self.widen())
+    }
+    /// The nearest number of this type, or next to it.
+    fn from_exact(exact: Precise) -> Self {
+        Self::narrow(exact.widen())
+    }
     /// The square root; NaN for negative numbers.
     #[must_use]
     fn sqrt(self) -> Self;

@@ -11,6 +11,7 @@ mod kept;
 mod medium;
 mod numbers;
 mod parts;
+mod quantity;
 mod recorder;
 mod spectrum;
 mod surface;
@@ -28,6 +29,7 @@ pub use parts::{
     Candidate, CandidateFate, Certificate, Edge, Operator, PlaneRow, PlaneSense, RayKind, Sense, Sign, SignSpan, Span,
     Tier,
 };
+pub use quantity::Quantity;
 pub use recorder::{Counter, NullRecorder, Recorder};
 pub use spectrum::{Conductor, Wavelength};
 pub use surface::{

@@ -45,6 +45,12 @@ pub trait Recorder {
     /// Counts one occurrence.
     fn count(&mut self, counter: Counter);
 
+    /// Whether lines of working are to carry their true errors, by arithmetic with 77 digits, in place of bounds on them. It
+    /// decides how things are told, and is asked only where they are.
+    fn is_measuring(&self) -> bool {
+        false
+    }
+
     /// Reports what `work` does as the parts of an event, which is described by the result. Where nothing is recorded
     /// the result goes straight to the caller: one that a description might borrow would first have to be copied.
     #[inline]

@@ -48,10 +48,10 @@ impl std::fmt::Display for Value {
     }
 }
 
-/// How far a result may be off by rounding, and how many of its digits that took.
+/// How far a result is off by rounding, or may be, and how many of its digits that took.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Accuracy {
-    /// Bound on the distance from what exact arithmetic gives for the same inputs.
+    /// The distance from what exact arithmetic gives for the same inputs, or a bound on it.
     pub error: f64,
     /// Decimal digits lost since the inputs: none after a single rounding, all of them where the error is as large as the
     /// result.

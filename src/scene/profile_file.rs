@@ -260,7 +260,8 @@ impl From<Filter> for FilterFile {
 impl From<&Profile> for ProfileFile {
     fn from(profile: &Profile) -> Self {
         let (arithmetic, roots) = match profile.method {
-            None => (None, None),
+            // The exact method is for measuring the others by, and no profile's.
+            None | Some(Method::Exact) => (None, None),
             Some(Method::Single) => (Some(ArithmeticFile::Single), None),
             Some(Method::Double) => (Some(ArithmeticFile::Double), None),
             Some(Method::Adaptive) => (Some(ArithmeticFile::Adaptive), None),

@@ -2,7 +2,7 @@
 
 use super::textbook::Exhibit;
 use super::{Approach, Crossing, Crossings, Primitive, Shape};
-use crate::math::{Alone, DoubleDouble, Real};
+use crate::math::{Alone, DoubleDouble, Precise, Real};
 use crate::record::NullRecorder;
 
 /// An arithmetic and what is done where it cannot tell.
@@ -20,10 +20,12 @@ pub enum Method {
     DoubleDouble,
     /// The textbook's solvers in double precision, which have no bounds on their errors.
     Textbook,
+    /// 77 digits: far too slow for pictures. It is what the others are measured against, and none of those that are offered.
+    Exact,
 }
 
 impl Method {
-    /// All of them, in the order in which they are shown.
+    /// All that are offered, in the order in which they are shown.
     pub const ALL: [Self; 5] = [Self::Single, Self::Double, Self::Adaptive, Self::DoubleDouble, Self::Textbook];
 
     /// Its name, as it is shown.
@@ -35,6 +37,7 @@ impl Method {
             Self::Adaptive => "adaptive",
             Self::DoubleDouble => "double-double",
             Self::Textbook => "textbook",
+            Self::Exact => "exact",
         }
     }
 
@@ -105,6 +108,7 @@ impl Solving {
             Method::Double | Method::Textbook => shape.first_crossing::<Alone<f64>>(approach),
             Method::Adaptive => shape.first_crossing::<f64>(approach),
             Method::DoubleDouble => shape.first_crossing::<DoubleDouble>(approach),
+            Method::Exact => shape.first_crossing::<Precise>(approach),
         }
     }
 }

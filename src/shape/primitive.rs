@@ -1,7 +1,8 @@
 //! What every generic primitive can do.
 
-use crate::math::{DoubleDouble, Lanes, Real, Traced, WideMap, coordinates, dot, scale_to_unit};
-use crate::record::{Certificate, NullRecorder, Recorder, Sense};
+use super::report;
+use crate::math::{DoubleDouble, Lanes, Precise, Real, Shadowed, Traced, WideMap, coordinates, dot, scale_to_unit};
+use crate::record::{Certificate, Measured, NullRecorder, Recorder, Sense, Triple};
 use glam::{DVec2, DVec3};
 use smallvec::SmallVec;
 
@@ -98,13 +99,17 @@ impl<'a, A: Real> GenericRay<'a, A> {
         if A::UNIT_ROUNDOFF < f64::UNIT_ROUNDOFF { from_plain.exactly() } else { from_plain }
     }
 
-    /// The same ray in another arithmetic, from its numbers with 32 digits.
+    /// The same ray in another arithmetic, from its numbers with 32 digits, or with 77 where it can tell the difference.
     #[must_use]
     pub fn exactly<B: Real>(&self) -> GenericRay<'a, B> {
-        let [origin, direction] = self.widened();
+        let [origin, direction] = if B::UNIT_ROUNDOFF < DoubleDouble::UNIT_ROUNDOFF {
+            self.truth().map(|v| v.map(B::from_exact))
+        } else {
+            self.widened().map(|v| v.map(B::narrow))
+        };
         GenericRay {
-            origin: origin.map(B::narrow),
-            direction: direction.map(B::narrow),
+            origin,
+            direction,
             t_per_tau: self.t_per_tau,
             origin_size: self.origin_size,
             direction_size: self.direction_size,
@@ -123,7 +128,18 @@ impl<'a, A: Real> GenericRay<'a, A> {
         [generic_from_world.point(origin.to_array()), course]
     }
 
-    /// The same ray in the arithmetic with the most digits.
+    /// S and the scaled c as exact arithmetic gives them: the exact inverse of the placement, applied to the ray as it was
+    /// given.
+    fn truth(&self) -> [[Precise; 3]; 2] {
+        let Some(Source { line: [origin, direction], generic_from_world }) = self.source else {
+            return [self.origin, self.direction].map(|v| v.map(Real::to_exact));
+        };
+        let scale = Precise::from_f64(self.t_per_tau);
+        let [origin, course] = generic_from_world.exact_line(origin.to_array(), direction.to_array());
+        [origin, course.map(|x| x * scale)]
+    }
+
+    /// The same ray with 32 digits.
     #[must_use]
     pub fn widen(&self) -> GenericRay<'a, DoubleDouble> {
         self.exactly()
@@ -140,6 +156,36 @@ impl<'a, A: Real> GenericRay<'a, A> {
             direction_size: self.direction_size,
             lengths: self.lengths,
             source: self.source,
+        }
+    }
+
+    /// The same numbers, each with the exact one that it stands for.
+    #[must_use]
+    pub fn shadowed(&self) -> GenericRay<'a, Shadowed<A>> {
+        let ([origin, direction], [true_origin, true_direction]) = ([self.origin, self.direction], self.truth());
+        let pair = |values: [A; 3], exact: [Precise; 3]| {
+            std::array::from_fn(|i| Shadowed { value: values[i], exact: exact[i] })
+        };
+        GenericRay {
+            origin: pair(origin, true_origin),
+            direction: pair(direction, true_direction),
+            t_per_tau: self.t_per_tau,
+            origin_size: self.origin_size,
+            direction_size: self.direction_size,
+            lengths: self.lengths,
+            source: self.source,
+        }
+    }
+
+    /// S and c as they are shown, with their errors if these are measured.
+    #[must_use]
+    pub fn shown(&self, is_measuring: bool) -> [Measured<Triple>; 2] {
+        let per_t = 1.0 / self.t_per_tau;
+        if is_measuring {
+            let ray = self.shadowed();
+            [report::measured_vector(ray.origin, 1.0), report::measured_vector(ray.direction, per_t)]
+        } else {
+            [report::measured_vector(self.origin, 1.0), report::measured_vector(self.direction, per_t)]
         }
     }
 

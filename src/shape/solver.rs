@@ -171,14 +171,20 @@ fn deliver<S: Solver, A: Real, R: Recorder>(
     solver.roots(ray, found).append(solver.first_sense(ray), ray.t_per_tau, certificate, crossings);
     if R::RECORDING {
         let own = &crossings[begin..];
-        let traced = ray.traced();
-        for entry in solver.working(&traced, &solver.solve(&traced).found) {
+        let working =
+            if recorder.is_measuring() { shown(solver, &ray.shadowed()) } else { shown(solver, &ray.traced()) };
+        for entry in working {
             recorder.note(|| entry);
         }
         recorder.note(|| decision(tiers(), ray.t_per_tau, certificate));
         recorder.note(|| solver.signs(ray, found, own));
         recorder.note(|| report::roots(solver, ray, own, solver.rejected(ray, found, own)));
     }
+}
+
+/// The working, solved once more with numbers that keep account of their errors.
+fn shown<A: Real>(solver: &impl Solver, ray: &GenericRay<A>) -> Vec<Entry> {
+    solver.working(ray, &solver.solve(ray).found)
 }
 
 /// The closest decision, as every arithmetic that was tried saw it.

@@ -43,12 +43,18 @@ pub fn record_pixel(scene: &Scene, x: u32, y: u32) -> RayTree {
 #[must_use]
 pub fn record_ray(scene: &Scene, origin: DVec3, direction: DVec3) -> RayTree {
     let mut recorder = TreeRecorder::new();
+    trace_ray(scene, origin, direction, &mut recorder);
+    recorder.finish()
+}
+
+/// The linear colour that a ray brings back which is given instead of a pixel.
+pub fn trace_ray(scene: &Scene, origin: DVec3, direction: DVec3, recorder: &mut impl Recorder) -> Rgb {
     recorder.begin();
     let tracer = Tracer::new(scene);
-    tracer.trace(&tracer.camera_ray(origin, direction), &mut recorder);
+    let colour = tracer.trace(&tracer.camera_ray(origin, direction), recorder);
     let (origin, direction) = (origin.to_array(), direction.to_array());
     recorder.end(|| Entry::new(What::LooseRay { origin, direction }));
-    recorder.finish()
+    colour
 }
 
 /// What a ray from the eye is to pass through.

@@ -85,6 +85,7 @@ pub struct TreeRecorder {
     events: Vec<Event>,
     open: Vec<Option<EventId>>,
     left_out: usize,
+    is_measuring: bool,
 }
 
 impl TreeRecorder {
@@ -92,6 +93,12 @@ impl TreeRecorder {
     #[must_use]
     pub fn new() -> Self {
         Self::default()
+    }
+
+    /// The same, for lines of working that carry their true errors.
+    #[must_use]
+    pub fn measuring() -> Self {
+        Self { is_measuring: true, ..Self::default() }
     }
 
     /// The tree. If the limit was met, the last event says what is missing.
@@ -147,4 +154,8 @@ impl Recorder for TreeRecorder {
     }
 
     fn count(&mut self, _counter: Counter) {}
+
+    fn is_measuring(&self) -> bool {
+        self.is_measuring
+    }
 }

@@ -2,7 +2,7 @@
 
 use dashu_float::FBig;
 use dashu_float::round::mode::HalfEven;
-use glam::DVec3;
+use glam::{DAffine3, DVec3};
 
 /// A number with [`BITS`] bits.
 pub type Big = FBig<HalfEven, 2>;
@@ -60,8 +60,26 @@ pub struct Line {
 
 impl Line {
     pub fn new(origin: DVec3, direction: DVec3) -> Self {
-        let unit = (-direction.abs().max_element().log2().floor()).exp2();
-        let (s, c) = (origin.to_array().map(big), (direction * unit).to_array().map(big));
+        Self::through(origin.to_array().map(big), direction.to_array().map(big))
+    }
+
+    /// The ray of the world in the generic coordinates of what stands at `world_from_generic`, by Cramer's rule.
+    pub fn placed(origin: DVec3, direction: DVec3, world_from_generic: &DAffine3) -> Self {
+        let DAffine3 { matrix3, translation } = world_from_generic;
+        let columns = [matrix3.x_axis, matrix3.y_axis, matrix3.z_axis].map(|column| column.to_array().map(big));
+        let [x, y, z] = &columns;
+        let determinant = dot(x, &cross(y, z));
+        let inverse = |v: [Big; 3]| {
+            [cross(y, z), cross(z, x), cross(x, y)].map(|cofactors| dot(&cofactors, &v) / &determinant)
+        };
+        let from_middle = std::array::from_fn(|i| big(origin[i]) - big(translation[i]));
+        Self::through(inverse(from_middle), inverse(direction.to_array().map(big)))
+    }
+
+    fn through(s: [Big; 3], c: [Big; 3]) -> Self {
+        let largest = c.iter().map(|x| near(x).abs()).fold(0.0, f64::max);
+        let unit = (-largest.log2().floor()).exp2();
+        let c = c.map(|x| x * big(unit));
         let foot = -dot(&s, &c) / dot(&c, &c);
         let nearest = std::array::from_fn(|i| &s[i] + &c[i] * &foot);
         let per_length = big(1.0) / dot(&c, &c).sqrt();
@@ -76,6 +94,11 @@ impl Line {
     pub fn time(&self, delta: &Big) -> Big {
         (&self.foot + delta) * &self.unit
     }
+}
+
+fn cross(a: &[Big; 3], b: &[Big; 3]) -> [Big; 3] {
+    let minor = |i: usize, j: usize| &a[i] * &b[j] - &a[j] * &b[i];
+    [minor(1, 2), minor(2, 0), minor(0, 1)]
 }
 
 pub fn dot(a: &[Big; 3], b: &[Big; 3]) -> Big {

@@ -9,16 +9,19 @@ mod plot;
 mod resume;
 mod table;
 
+use super::accuracy_ray;
 use super::drawn::Theme;
 use super::failure::{Failure, warn};
 use super::output::Output;
 use super::progress::{stopped_by_ctrl_c, with_bar};
 use super::scene_argument::SceneArgument;
+use super::trace;
 use crate::cpu_time;
-use crate::laboratory::{Answer, Earlier, Goal, Knob, Plan, Run, Tools, study};
+use crate::laboratory::{Answer, Earlier, Goal, Knob, Plan, Run, Target, Tools, study};
 use crate::scene::Scene;
 use cache::{Cache, load_identified};
 use clap::{ArgGroup, Args, ValueEnum};
+use glam::DVec3;
 use std::path::PathBuf;
 use std::time::Instant;
 
@@ -36,6 +39,7 @@ Examples:
   rayscope accuracy lens/focus --format json -o run.json --budget 2m
   rayscope accuracy lens/focus --resume run.json --format json -o run.json
                                                                more repeats of the same
+  rayscope accuracy hard/far_torus --pixel 160,120             one ray: the digits that each method has right
 
 Each setting is one knob at one value, all else being as the scene says. Its picture is compared with a reference that has
 every knob at its best; where chance decides, the reference is the mean of several pictures, and its own error is stated. Times are
@@ -97,7 +101,31 @@ pub struct Accuracy {
     /// Also count the instructions of each setting, by running this program under perf or valgrind
     #[arg(long)]
     instructions: bool,
+    /// Instead of all this: one ray by every method, with the digits right of every number, through this pixel of the scene
+    #[arg(long, value_name = "X,Y", value_parser = trace::pixel, conflicts_with_all = STUDY)]
+    pixel: Option<[u32; 2]>,
+    /// The same for a ray of your own: origin and direction
+    #[arg(long, value_name = "OX,OY,OZ,DX,DY,DZ", value_parser = trace::ray, allow_hyphen_values = true,
+          conflicts_with_all = STUDY, conflicts_with = "pixel")]
+    ray: Option<[DVec3; 2]>,
 }
+
+/// What is of a whole picture, and means nothing for one ray.
+const STUDY: [&str; 13] = [
+    "budget",
+    "width",
+    "knob",
+    "single",
+    "seed",
+    "plot",
+    "for_time",
+    "for_error",
+    "profile",
+    "resume",
+    "cache",
+    "no_cache",
+    "instructions",
+];
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum Format {
@@ -128,6 +156,23 @@ pub struct Findings<'a> {
 impl Accuracy {
     /// Measures and writes.
     pub fn run(&self) -> Result<(), Failure> {
+        let pixel = self.pixel.map(Target::Pixel);
+        match pixel.or(self.ray.map(Target::Ray)) {
+            Some(target) => self.run_ray(target),
+            None => self.run_study(),
+        }
+    }
+
+    fn run_ray(&self, target: Target) -> Result<(), Failure> {
+        let format = match self.format {
+            Format::Text => accuracy_ray::Format::Text,
+            Format::Json => accuracy_ray::Format::Json,
+            Format::Csv => return Err(Failure::usage("one ray is written as text or json, not as csv")),
+        };
+        accuracy_ray::report(&self.scene.load()?, target, format, self.output.as_deref())
+    }
+
+    fn run_study(&self) -> Result<(), Failure> {
         let (scene, identity) = load_identified(&self.scene)?;
         let earlier = self.resume.as_deref().map(|path| resume::read(path, identity)).transpose()?;
         let output = Output::create(self.output.as_deref())?;

@@ -46,7 +46,7 @@ fn plot(findings: &Findings) -> FrontierPlot {
         noisy: point.timing.noise.is_some(),
     };
     let own_error = match study.reference.error {
-        0.0 => "exact: nothing in the scene is left to chance".to_owned(),
+        0.0 => "without chance".to_owned(),
         error => format!("sure to {} itself", short(error)),
     };
     FrontierPlot {

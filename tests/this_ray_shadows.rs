@@ -1,0 +1,140 @@
+//! Errors that shadows tell, and numbers of 77 digits, against hits that were computed with 40 digits.
+
+use glam::{DAffine3, DVec3};
+use rayscope::accuracy::oracle::{Case, Target, cases};
+use rayscope::csg::{Leaf, Placement, Solid};
+use rayscope::math::{Alone, DoubleDouble, Precise, Real};
+use rayscope::record::{CandidateFate, NullRecorder, Recorder, Value, What};
+use rayscope::shape::{Crossing, Crossings, GenericRay, Primitive, Shape};
+use rayscope::trace::TreeRecorder;
+
+const FILES: [&str; 7] = ["sphere", "square", "tapered", "cube", "polyhedron", "torus", "superellipsoid"];
+
+fn shape(case: &Case) -> &Shape {
+    match &case.target {
+        Target::Shape(shape) => shape,
+        Target::Solid(_) => panic!("{} is no primitive", case.id),
+    }
+}
+
+fn ulp(x: f64) -> f64 {
+    x.abs().next_up() - x.abs()
+}
+
+fn exact_hits(case: &Case) -> Crossings {
+    let mut found = Crossings::new();
+    let ray = GenericRay::<Precise>::new(case.origin, case.direction);
+    shape(case).crossings(&ray, &mut NullRecorder, &mut found);
+    found
+}
+
+/// The times of a case that are crossed for sure: each alone in a zone with different sides.
+fn sure_hits(case: &Case) -> Vec<f64> {
+    let zones = case.zones.iter().filter(|zone| zone.before != zone.after && zone.hits == 1);
+    zones
+        .filter_map(|zone| case.hits.iter().find(|hit| zone.low <= hit.t && hit.t <= zone.high))
+        .map(|hit| hit.t)
+        .collect()
+}
+
+#[test]
+fn hits_of_77_digits_are_those_of_the_oracle_to_the_last_digit_of_f64() {
+    let (mut compared, mut complaints) = (0, Vec::new());
+    for file in FILES {
+        for case in cases(file).unwrap().iter().filter(|case| !case.ambiguous) {
+            let found = exact_hits(case);
+            for expected in sure_hits(case) {
+                compared += 1;
+                let off = found.iter().map(|hit: &Crossing| (hit.t - expected).abs()).fold(f64::INFINITY, f64::min);
+                if off > ulp(expected) {
+                    complaints.push(format!("{}: {expected} is off by {:.1} ulp", case.id, off / ulp(expected)));
+                }
+            }
+        }
+    }
+    assert!(complaints.is_empty(), "{} of {compared}:\n{}", complaints.len(), complaints.join("\n"));
+    assert!(compared > 4_000, "{compared}");
+}
+
+/// Lines of working that are hit times, with the errors that their shadows tell; and the hit times that were kept.
+fn told<A: Real>(case: &Case) -> (Vec<(f64, f64)>, Vec<f64>) {
+    let placed = Leaf::new("", shape(case).clone(), Placement::new(DAffine3::IDENTITY).unwrap());
+    let mut recorder = TreeRecorder::measuring();
+    recorder.begin();
+    let _ = Solid::leaf(placed).inside::<A>(case.origin, case.direction, &mut recorder);
+    recorder.end(|| rayscope::record::Entry::new(What::Step { number: 1, title: String::new() }));
+    let tree = recorder.finish();
+    let is_time = |symbol: &str| matches!(symbol, "t" | "t₁" | "t₂");
+    let lines = tree.events.iter().flat_map(|event| &event.working).filter(|line| is_time(&line.symbol));
+    let measured = lines.filter_map(|line| match (line.result, line.accuracy) {
+        (Value::Number(t), Some(accuracy)) => Some((t, accuracy.error)),
+        _ => None,
+    });
+    let kept = tree.events.iter().filter_map(|event| match &event.what {
+        What::Roots { candidates } => {
+            Some(candidates.iter().filter(|c| c.fate == CandidateFate::Accepted).map(|c| c.t))
+        }
+        _ => None,
+    });
+    (measured.collect(), kept.flatten().collect())
+}
+
+/// Each exact hit's nearest time in the working: its error as told, and as the oracle knows it.
+fn compare<A: Real>(file: &str) -> usize {
+    let (mut compared, mut complaints) = (0, Vec::new());
+    for case in cases(file).unwrap().iter().filter(|case| !case.ambiguous) {
+        let (measured, kept) = told::<A>(case);
+        for expected in sure_hits(case) {
+            let near = measured.iter().filter(|(t, _)| kept.contains(t));
+            let Some((t, told)) = near.min_by(|(a, _), (b, _)| (a - expected).abs().total_cmp(&(b - expected).abs()))
+            else {
+                continue;
+            };
+            let known = (t - expected).abs();
+            // The oracle's time and the one that is shown are rounded to f64.
+            if *told < 1e-2 * expected.abs() {
+                compared += 1;
+                if (known - told).abs() > ulp(expected) + 1e-6 * told {
+                    complaints.push(format!("{}: {t} is off by {known:e}, told {told:e}", case.id));
+                }
+            }
+        }
+    }
+    assert!(
+        complaints.is_empty(),
+        "{file}, {}: {} of {compared}:\n{}",
+        A::NAME,
+        complaints.len(),
+        complaints.join("\n")
+    );
+    compared
+}
+
+#[test]
+fn shadows_of_hit_times_tell_the_error_that_the_oracle_knows() {
+    for file in ["sphere", "tapered", "cube", "polyhedron", "square"] {
+        let compared = [compare::<Alone<f32>>(file), compare::<Alone<f64>>(file), compare::<DoubleDouble>(file)];
+        assert!(compared.iter().all(|&count| count > 100), "{file}: {compared:?}");
+    }
+}
+
+#[test]
+fn measuring_changes_neither_the_lists_nor_a_bit_of_them() {
+    for file in FILES {
+        for case in cases(file).unwrap().iter().step_by(7) {
+            let placed =
+                Leaf::new("", shape(case).clone(), Placement::new(DAffine3::from_scale(DVec3::splat(0.7))).unwrap());
+            let solid = Solid::leaf(placed);
+            let mut recorder = TreeRecorder::measuring();
+            recorder.begin();
+            let measured = solid.inside::<f64>(case.origin, case.direction, &mut recorder);
+            assert_eq!(
+                measured,
+                solid.inside::<f64>(case.origin, case.direction, &mut TreeRecorder::new()),
+                "{}",
+                case.id
+            );
+            assert_eq!(measured, solid.inside::<f64>(case.origin, case.direction, &mut NullRecorder), "{}", case.id);
+        }
+    }
+}
