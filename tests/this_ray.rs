@@ -72,7 +72,8 @@ fn kept(candidates: &[Candidate]) -> Vec<f64> {
 /// The object and the leaf that an event is about: those of the events that it is a part of.
 fn about<'a>(scene: &'a Scene, story: &Story, event: &Event) -> &'a Leaf {
     let path = story.tree.path(event.id);
-    let find = |of: &dyn Fn(&What) -> Option<usize>| path.iter().find_map(|&id| of(&story.tree.event(id).what)).unwrap();
+    let find =
+        |of: &dyn Fn(&What) -> Option<usize>| path.iter().find_map(|&id| of(&story.tree.event(id).what)).unwrap();
     let object = find(&|what| if let What::Object { index, .. } = what { Some(*index) } else { None });
     let leaf = find(&|what| if let What::Primitive { leaf, .. } = what { Some(*leaf) } else { None });
     &scene.objects[object].solid.leaves[leaf]
@@ -143,7 +144,10 @@ fn measuring_changes_no_event_no_number_and_no_colour() {
             assert_eq!(measured.events.len(), plain.events.len());
             for (a, b) in measured.events.iter().zip(&plain.events) {
                 let bare = |event: &Event| {
-                    let lines = event.working.iter().map(|line| (line.symbol.clone(), line.numbers.to_string(), bits(&line.result)));
+                    let lines = event
+                        .working
+                        .iter()
+                        .map(|line| (line.symbol.clone(), line.numbers.to_string(), bits(&line.result)));
                     (format!("{:?}", event.what), lines.collect::<Vec<_>>())
                 };
                 assert_eq!(bare(a), bare(b), "{} {}", scene.name(), method.name());

@@ -161,10 +161,5 @@ fn event(row: &OutlineRow) -> EventFile {
 }
 
 fn number(number: &Number) -> NumberFile {
-    NumberFile {
-        name: number.name.clone(),
-        value: number.parts.clone(),
-        error: number.error,
-        digits: number.digits(),
-    }
+    NumberFile { name: number.name.clone(), value: number.parts.clone(), error: number.error, digits: number.digits() }
 }

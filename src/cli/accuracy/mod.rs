@@ -181,8 +181,14 @@ impl Accuracy {
         let plan = self.plan(earlier.as_ref())?;
         let run = self.measure(&scene, identity, &plan, earlier.as_ref())?;
         run.warnings.iter().for_each(|warning| warn(warning));
-        let mut findings =
-            Findings { scene_name: self.scene.name(), scene: &scene, identity, seed: plan.seed, run: &run, instructions: Vec::new() };
+        let mut findings = Findings {
+            scene_name: self.scene.name(),
+            scene: &scene,
+            identity,
+            seed: plan.seed,
+            run: &run,
+            instructions: Vec::new(),
+        };
         if self.instructions && !run.is_cut_short {
             findings.instructions = instructions::count_all(&self.scene, &run)?;
         }
@@ -207,7 +213,9 @@ impl Accuracy {
             && *before != Some(seed)
         {
             let before = before.map_or("the scene's own seed".to_owned(), |seed| format!("the seed {seed}"));
-            return Err(Failure::usage(format!("the run to be resumed has {before}; leave --seed out to go on with it")));
+            return Err(Failure::usage(format!(
+                "the run to be resumed has {before}; leave --seed out to go on with it"
+            )));
         }
         Ok(Plan {
             width: self.width,
@@ -228,8 +236,7 @@ impl Accuracy {
         let progress = stopped_by_ctrl_c();
         let mut store = Cache::open(self.cache.as_deref(), self.no_cache, identity);
         let mut stopwatch = cpu_time::taken;
-        let tools =
-            Tools { stopwatch: &mut stopwatch, store: &mut store, progress: &progress, watch: &mut |_| {} };
+        let tools = Tools { stopwatch: &mut stopwatch, store: &mut store, progress: &progress, watch: &mut |_| {} };
         let began = Instant::now();
         let passed = || milliseconds(began.elapsed().as_secs_f64().min(self.budget));
         let run = with_bar(milliseconds(self.budget), passed, || study(scene, plan, earlier, tools));
@@ -286,7 +293,9 @@ mod tests {
 
     #[test]
     fn times_are_read_as_people_write_them() {
-        for (text, expected) in [("30", 30.0), ("30s", 30.0), ("1.5m", 90.0), ("200ms", 0.2), ("1h", 3600.0), ("2 s", 2.0)] {
+        for (text, expected) in
+            [("30", 30.0), ("30s", 30.0), ("1.5m", 90.0), ("200ms", 0.2), ("1h", 3600.0), ("2 s", 2.0)]
+        {
             assert_eq!(seconds(text), Ok(expected), "{text}");
         }
         for text in ["", "s", "0", "-3s", "inf", "NaN", "soon"] {

@@ -19,6 +19,7 @@ use super::palette::Theme;
 use cluster::Cluster;
 use paper::Paper;
 use scale::LogScale;
+pub(super) use scale::error;
 
 /// What is to be plotted.
 #[derive(Clone, Debug, Default, PartialEq)]

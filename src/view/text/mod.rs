@@ -13,7 +13,7 @@ mod tree;
 
 pub use detail::{Detail, DetailLine, detail};
 pub use format::{brief, brief_vector, span_list};
-pub(super) use format::{count, degrees};
+pub(super) use format::{count, degrees, significant};
 pub use row::{Row, row};
 pub(super) use texture_row::{angle_between, place, solid_angle, spoken};
 pub use tree::tree_text;
