@@ -95,20 +95,23 @@ fn every_map_of_a_setting_can_be_seen() {
 fn a_method_tells_its_story_from_the_first_event_that_is_not_as_it_should_be() {
     let mut bench = open("hard/far_torus");
     press(&mut bench, "This ray");
-    wait_until(&mut bench, "the methods", |bench| offers(bench, "f32"));
+    wait_until(&mut bench, "the methods", |bench| offers(bench, "textbook"));
     let (pixel, expected) = {
         let workbench = workbench(&bench);
         let pixel = workbench.recording().expect("a pixel is recorded").pixel;
         let ray = this_ray(&workbench.scene().expect("a scene is open").scene, Target::Pixel(pixel));
-        let f32s = ray.stories.into_iter().find(|story| story.method == Method::Single);
-        (pixel, f32s.and_then(|story| story.parting).expect("single precision goes wrong a million units away"))
+        let textbook = ray.stories.into_iter().find(|story| story.method == Method::Textbook);
+        (
+            pixel,
+            textbook.and_then(|story| story.parting).expect("the textbook's quartic goes wrong a million units away"),
+        )
     };
     assert!(bench.query_by_label(&expected.reason).is_some(), "{}", expected.reason);
-    press(&mut bench, "f32");
+    press(&mut bench, "textbook");
     let recording = workbench(&bench).recording().expect("a pixel is recorded");
     assert_eq!((recording.pixel, recording.by), (pixel, Some(Method::Single)));
     assert_eq!(recording.selected(), expected.event);
-    assert!(bench.query_by_label_contains("by f32 · step ").is_some());
+    assert!(bench.query_by_label_contains("by textbook · step ").is_some());
 }
 
 #[test]

@@ -154,7 +154,7 @@ impl Chart {
         if !is_known && !is_asked {
             let (asked, whole) = (of.clone(), Arc::clone(whole));
             let job = Background::start(ui.ctx(), "map", move |progress, publish| {
-                if let Some(map) = mapped(&asked, &whole, progress) {
+                if let Some(map) = worked_out(&asked, &whole, progress) {
                     publish(Arc::new(map));
                 }
             });
@@ -179,7 +179,7 @@ fn looked_at(of: &MapOf, whole: &Scene) -> Scene {
     scene
 }
 
-fn mapped(of: &MapOf, whole: &Scene, progress: &Progress) -> Option<HeatMap> {
+fn worked_out(of: &MapOf, whole: &Scene, progress: &Progress) -> Option<HeatMap> {
     let (point, scene) = (of.point()?, looked_at(of, whole));
     let mut map = match of.kind {
         MapKind::Error => error_map(&point.picture, &of.study.reference.picture),

@@ -5,11 +5,13 @@ use super::theme::{Palette, bold};
 use super::thumbnail::{difference, texture, thumbnail};
 use crate::laboratory::{Point, Study};
 use crate::view::{brief, seconds, significant};
-use egui::{Context, Grid, Label, RichText, TextureHandle, Ui};
+use egui::{Button, Context, FontFamily, Grid, Label, Response, RichText, TextureHandle, Ui};
 use std::sync::Arc;
 
 /// Width of the small pictures, in points.
 const SMALL: f32 = 98.0;
+/// Width of a setting's name in the list, in points.
+const NAME: f32 = 180.0;
 
 /// The pictures of the chosen setting, ready to be shown.
 pub struct Shown {
@@ -48,12 +50,7 @@ pub fn list(ui: &mut Ui, study: &Study, chosen: usize) -> Option<usize> {
         }
         ui.end_row();
         for (place, point) in study.all().enumerate() {
-            let mut name = RichText::new(point.plain_name());
-            if point.on_frontier {
-                name = name.family(bold());
-            }
-            let label = ui.selectable_label(place == chosen, name);
-            if label.on_hover_text(meaning(point)).clicked() {
+            if named(ui, point, place == chosen).clicked() {
                 clicked = Some(place);
             }
             let ink = if point.on_frontier { palette.text } else { palette.weak };
@@ -63,6 +60,18 @@ pub fn list(ui: &mut Ui, study: &Study, chosen: usize) -> Option<usize> {
         }
     });
     clicked
+}
+
+/// A setting's name as a button that is no wider than there is room for.
+fn named(ui: &mut Ui, point: &Point, is_chosen: bool) -> Response {
+    let name = point.plain_name();
+    let text = RichText::new(&name).small().family(if point.on_frontier { bold() } else { FontFamily::Proportional });
+    let button = Button::selectable(is_chosen, text).truncate();
+    let shown = ui.scope(|ui| {
+        ui.set_max_width(NAME);
+        ui.add(button)
+    });
+    shown.inner.on_hover_text(format!("{name}. {}", meaning(point)))
 }
 
 fn meaning(point: &Point) -> &'static str {
@@ -99,8 +108,8 @@ pub fn chosen_point(
     }
     let (Some(shown), Some(point)) = (shown.as_ref(), study.all().nth(place)) else { return (None, None) };
     let mut wish = None;
-    ui.horizontal(|ui| {
-        ui.add(Label::new(RichText::new(point.plain_name()).family(bold()).size(14.5)).truncate());
+    ui.vertical(|ui| {
+        ui.add(Label::new(RichText::new(point.plain_name()).family(bold()).size(14.5)).wrap());
         if !point.settings.is_empty() {
             let look = ui.button("Look at the scene so");
             if look.on_hover_text("Renders the whole picture with this setting, and records rays with it.").clicked() {
@@ -118,7 +127,7 @@ fn pictures(ui: &mut Ui, shown: &Shown) {
     let off_by = format!("How far it is from the reference: the brightest pixel differs by {largest} of 255");
     let columns = [
         ("as it stands", &shown.standard, "The scene as it stands".to_owned()),
-        ("so", &shown.own, "With this setting".to_owned()),
+        ("this setting", &shown.own, "With this setting".to_owned()),
         ("off by", off, off_by),
     ];
     Grid::new("pictures").num_columns(3).spacing([8.0, 2.0]).show(ui, |ui| {
@@ -142,7 +151,7 @@ fn figures(ui: &mut Ui, point: &Point) {
     let errors = &point.errors;
     let rows = [
         ("time", taken),
-        ("error", format!("{} root mean square, {} at 99.9 %", error(point), significant(errors.p999, 2))),
+        ("error", format!("{}, root mean square; {} at 99.9 %", error(point), significant(errors.p999, 2))),
         ("wrong", format!("{} pixels, 1 − SSIM {}", errors.wrong_pixels, significant(errors.dissimilarity, 2))),
     ];
     Grid::new("figures").num_columns(2).spacing([10.0, 1.0]).show(ui, |ui| {
@@ -174,8 +183,8 @@ fn pairs(ui: &mut Ui, study: &Study, shown: &Shown, point: &Point) -> Option<usi
             thumbnail(ui, texture, SMALL, &other.plain_name());
             ui.vertical(|ui| {
                 ui.label(RichText::new(title).small().weak());
-                let tip = "Choose it.";
-                if ui.button(other.plain_name()).on_hover_text(tip).clicked() {
+                let button = ui.add(Button::new(RichText::new(other.plain_name()).small()).truncate());
+                if button.on_hover_text("Choose it.").clicked() {
                     clicked = Some(*place);
                 }
                 ui.label(RichText::new(gain(other, point)).small());

@@ -23,7 +23,7 @@ pub fn plot(study: &Study, scene_name: &str) -> FrontierPlot {
         noisy: point.timing.noise.is_some(),
     };
     let reference = match study.reference.error {
-        0.0 => "the reference is exact: nothing is left to chance".to_owned(),
+        0.0 => "nothing is left to chance".to_owned(),
         error => format!("the reference is sure to {} itself", brief(error)),
     };
     let picture = &study.standard.picture;

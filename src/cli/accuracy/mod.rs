@@ -9,23 +9,28 @@ mod plot;
 mod resume;
 mod table;
 
+use super::accuracy_map::{self, Map};
+use super::accuracy_ray;
 use super::drawn::Theme;
 use super::failure::{Failure, warn};
 use super::output::Output;
 use super::progress::{stopped_by_ctrl_c, with_bar};
 use super::scene_argument::SceneArgument;
+use super::trace;
 use crate::cpu_time;
-use crate::laboratory::{Answer, Earlier, Goal, Knob, Plan, Run, Tools, study};
+use crate::laboratory::{Answer, Earlier, Goal, Knob, Plan, Run, Target, Tools, study};
 use crate::scene::Scene;
 use cache::{Cache, load_identified};
 use clap::{ArgGroup, Args, ValueEnum};
-use std::path::PathBuf;
+use glam::DVec3;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 /// Show what accuracy costs in time: every setting with its seconds and its error
 #[derive(Args, Debug)]
 #[command(
     group = ArgGroup::new("goal").args(["for_time", "for_error"]).multiple(true),
+    group = ArgGroup::new("drawn").args(["plot", "map"]).multiple(true),
     after_help = "\
 Examples:
   rayscope accuracy lights/soft_shadows                        the table, within half a minute
@@ -36,6 +41,7 @@ Examples:
   rayscope accuracy lens/focus --format json -o run.json --budget 2m
   rayscope accuracy lens/focus --resume run.json --format json -o run.json
                                                                more repeats of the same
+  rayscope accuracy hard/far_torus --pixel 160,120             one ray: the digits that each method has right
 
 Each setting is one knob at one value, all else being as the scene says. Its picture is compared with a reference that has
 every knob at its best; where chance decides, the reference is the mean of several pictures, and its own error is stated. Times are
@@ -73,8 +79,8 @@ pub struct Accuracy {
     /// Also draw error against seconds; the ending says whether as .svg or .png
     #[arg(long, value_name = "FILE", value_parser = plot::file)]
     plot: Option<PathBuf>,
-    /// Colours of the plot
-    #[arg(long, value_enum, default_value_t = Theme::Light, requires = "plot")]
+    /// Colours of the plot or the map
+    #[arg(long, value_enum, default_value_t = Theme::Light, requires = "drawn")]
     theme: Theme,
     /// Ask for the closest whole picture within this time of one thread
     #[arg(long, value_name = "TIME", value_parser = seconds)]
@@ -97,7 +103,39 @@ pub struct Accuracy {
     /// Also count the instructions of each setting, by running this program under perf or valgrind
     #[arg(long)]
     instructions: bool,
+    /// Instead of all this: a map of the picture, pixel by pixel, in a file that ends in .svg or .png
+    #[arg(long, value_enum, conflicts_with_all = NOT_MAPPED)]
+    map: Option<Map>,
+    /// Instead of all this: one ray by every method, with the digits right of every number, through this pixel of the scene
+    #[arg(long, value_name = "X,Y", value_parser = trace::pixel, conflicts_with_all = STUDY)]
+    pixel: Option<[u32; 2]>,
+    /// The same for a ray of your own: origin and direction
+    #[arg(long, value_name = "OX,OY,OZ,DX,DY,DZ", value_parser = trace::ray, allow_hyphen_values = true,
+          conflicts_with_all = STUDY, conflicts_with = "pixel")]
+    ray: Option<[DVec3; 2]>,
 }
+
+/// What means nothing for a map.
+const NOT_MAPPED: [&str; 10] =
+    ["knob", "single", "format", "plot", "for_time", "for_error", "profile", "resume", "instructions", "pixel"];
+
+/// What is of a whole picture, and means nothing for one ray.
+const STUDY: [&str; 14] = [
+    "map",
+    "budget",
+    "width",
+    "knob",
+    "single",
+    "seed",
+    "plot",
+    "for_time",
+    "for_error",
+    "profile",
+    "resume",
+    "cache",
+    "no_cache",
+    "instructions",
+];
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum Format {
@@ -128,6 +166,35 @@ pub struct Findings<'a> {
 impl Accuracy {
     /// Measures and writes.
     pub fn run(&self) -> Result<(), Failure> {
+        let pixel = self.pixel.map(Target::Pixel);
+        match pixel.or(self.ray.map(Target::Ray)) {
+            Some(target) => self.run_ray(target),
+            None => self.map.map_or_else(|| self.run_study(), |map| self.run_map(map)),
+        }
+    }
+
+    fn run_map(&self, map: Map) -> Result<(), Failure> {
+        let named = self.output.as_deref().and_then(Path::to_str).map(plot::file);
+        let Some(Ok(path)) = named else {
+            return Err(Failure::usage("a map is a drawing; name a file that ends in .svg or .png with -o"));
+        };
+        let (scene, identity) = load_identified(&self.scene)?;
+        let output = Output::create(Some(&path))?;
+        let plan = Plan { knobs: Vec::new(), combines: false, ..self.plan(None)? };
+        let map = accuracy_map::mapped(map, &scene, self.width, || self.measure(&scene, identity, &plan, None))?;
+        output.write(&accuracy_map::drawn(&map, self.theme, &path))
+    }
+
+    fn run_ray(&self, target: Target) -> Result<(), Failure> {
+        let format = match self.format {
+            Format::Text => accuracy_ray::Format::Text,
+            Format::Json => accuracy_ray::Format::Json,
+            Format::Csv => return Err(Failure::usage("one ray is written as text or json, not as csv")),
+        };
+        accuracy_ray::report(&self.scene.load()?, target, format, self.output.as_deref())
+    }
+
+    fn run_study(&self) -> Result<(), Failure> {
         let (scene, identity) = load_identified(&self.scene)?;
         let earlier = self.resume.as_deref().map(|path| resume::read(path, identity)).transpose()?;
         let output = Output::create(self.output.as_deref())?;
