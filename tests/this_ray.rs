@@ -72,7 +72,8 @@ fn kept(candidates: &[Candidate]) -> Vec<f64> {
 /// The object and the leaf that an event is about: those of the events that it is a part of.
 fn about<'a>(scene: &'a Scene, story: &Story, event: &Event) -> &'a Leaf {
     let path = story.tree.path(event.id);
-    let find = |of: &dyn Fn(&What) -> Option<usize>| path.iter().find_map(|&id| of(&story.tree.event(id).what)).unwrap();
+    let find =
+        |of: &dyn Fn(&What) -> Option<usize>| path.iter().find_map(|&id| of(&story.tree.event(id).what)).unwrap();
     let object = find(&|what| if let What::Object { index, .. } = what { Some(*index) } else { None });
     let leaf = find(&|what| if let What::Primitive { leaf, .. } = what { Some(*leaf) } else { None });
     &scene.objects[object].solid.leaves[leaf]
@@ -119,7 +120,7 @@ fn digits_right_of_hit_times_are_those_that_the_reference_finds() {
                         if (known - reported).abs() > 0.5 {
                             complaints.push(format!(
                                 "{} {pixel:?} {}: t = {t} of {} has {known:.2} digits, reported {reported:.2}",
-                                scene.name(),
+                                scene.title,
                                 story.method.name(),
                                 leaf.name
                             ));
@@ -143,13 +144,16 @@ fn measuring_changes_no_event_no_number_and_no_colour() {
             assert_eq!(measured.events.len(), plain.events.len());
             for (a, b) in measured.events.iter().zip(&plain.events) {
                 let bare = |event: &Event| {
-                    let lines = event.working.iter().map(|line| (line.symbol.clone(), line.numbers.to_string(), bits(&line.result)));
+                    let lines = event
+                        .working
+                        .iter()
+                        .map(|line| (line.symbol.clone(), line.numbers.to_string(), bits(&line.result)));
                     (format!("{:?}", event.what), lines.collect::<Vec<_>>())
                 };
-                assert_eq!(bare(a), bare(b), "{} {}", scene.name(), method.name());
+                assert_eq!(bare(a), bare(b), "{} {}", scene.title, method.name());
             }
             let colour = trace_pixel(&scene, pixel[0], pixel[1], &mut NullRecorder).to_array();
-            assert_eq!(measured.colour().map(f64::to_bits), colour.map(f64::to_bits), "{}", scene.name());
+            assert_eq!(measured.colour().map(f64::to_bits), colour.map(f64::to_bits), "{}", scene.title);
         }
     }
 }
@@ -215,11 +219,11 @@ fn every_method_tells_of_itself_on_every_hard_scene_and_32_digits_go_the_exact_w
             for story in &ray.stories {
                 assert_eq!((story.told.len(), story.twins.len()), (story.tree.events.len(), story.tree.events.len()));
                 assert_eq!(story.twins[0], Some(0));
-                assert!(story.told.iter().all(|told| told.lost >= 0.0 && told.lost.is_finite()), "{}", scene.name());
+                assert!(story.told.iter().all(|told| told.lost >= 0.0 && told.lost.is_finite()), "{}", scene.title);
             }
             let wide = story(&ray, Method::DoubleDouble);
-            assert_eq!(wide.parting, None, "{} {pixel:?}", scene.name());
-            assert!(wide.hit_digits().is_none_or(|digits| digits > 15.0), "{} {pixel:?}", scene.name());
+            assert_eq!(wide.parting, None, "{} {pixel:?}", scene.title);
+            assert!(wide.hit_digits().is_none_or(|digits| digits > 15.0), "{} {pixel:?}", scene.title);
         }
     }
 }

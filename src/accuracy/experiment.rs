@@ -93,7 +93,9 @@ fn place(question: Question, subject: &Subject, index: u64, x: f64) -> Place {
         let ray = match question {
             Question::Distance => Some(subject.ray_from(x, &mut random)),
             Question::Tangency => subject.ray_beside(x, &mut random),
-            Question::Scale => placement.as_ref().map(|placement| in_world(placement, subject.ray_from(NEAR, &mut random))),
+            Question::Scale => {
+                placement.as_ref().map(|placement| in_world(placement, subject.ray_from(NEAR, &mut random)))
+            }
         };
         let Some((origin, direction)) = ray else { continue };
         sent += 1;

@@ -120,7 +120,7 @@ struct NumberFile {
 
 fn json(scene: &Scene, ray: &ThisRay, timings: &[Timing]) -> Result<String, Failure> {
     let methods = ray.stories.iter().zip(timings).map(|(story, timing)| method(story, timing, &ray.exact)).collect();
-    let file = ReportFile { scene: scene.name(), methods, events: ray.outline().iter().map(event).collect() };
+    let file = ReportFile { scene: &scene.title, methods, events: ray.outline().iter().map(event).collect() };
     let text = serde_json::to_string_pretty(&file).map_err(|error| Failure::refused(error.to_string()))?;
     Ok(text + "\n")
 }
@@ -161,10 +161,5 @@ fn event(row: &OutlineRow) -> EventFile {
 }
 
 fn number(number: &Number) -> NumberFile {
-    NumberFile {
-        name: number.name.clone(),
-        value: number.parts.clone(),
-        error: number.error,
-        digits: number.digits(),
-    }
+    NumberFile { name: number.name.clone(), value: number.parts.clone(), error: number.error, digits: number.digits() }
 }

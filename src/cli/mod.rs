@@ -1,5 +1,6 @@
 //! The command line: one file for each command.
 
+mod accuracy;
 mod accuracy_ray;
 mod bench;
 mod drawn;
@@ -35,6 +36,7 @@ Examples:
   rayscope render csg/bowl -o bowl.png          render a picture
   rayscope trace csg/bowl --pixel 320,240       print everything that a pixel's ray did
   rayscope effects optics/fishbowl              say what each effect of a scene costs
+  rayscope accuracy lights/soft_shadows         say what accuracy costs in time
   rayscope scan textures/scanning               texture scanning beside inverse scanning
   rayscope export --povray csg/bowl             write a scene for POV-Ray
   rayscope scenes                               list the scenes that come with the program
@@ -65,6 +67,7 @@ enum Command {
     Trace(trace::Trace),
     Scan(scan::Scan),
     Effects(effects::Effects),
+    Accuracy(accuracy::Accuracy),
     Probe(probe::Probe),
     Export(export::Export),
     Scenes(scenes::Scenes),
@@ -87,6 +90,7 @@ pub fn run() -> ExitCode {
         Some(Command::Trace(trace)) => trace.run(),
         Some(Command::Scan(scan)) => scan.run(),
         Some(Command::Effects(effects)) => effects.run(),
+        Some(Command::Accuracy(accuracy)) => accuracy.run(),
         Some(Command::Probe(probe)) => probe.run(),
         Some(Command::Export(export)) => export.run(),
         Some(Command::Scenes(scenes)) => scenes.run(),

@@ -69,9 +69,8 @@ impl Line {
         let columns = [matrix3.x_axis, matrix3.y_axis, matrix3.z_axis].map(|column| column.to_array().map(big));
         let [x, y, z] = &columns;
         let determinant = dot(x, &cross(y, z));
-        let inverse = |v: [Big; 3]| {
-            [cross(y, z), cross(z, x), cross(x, y)].map(|cofactors| dot(&cofactors, &v) / &determinant)
-        };
+        let inverse =
+            |v: [Big; 3]| [cross(y, z), cross(z, x), cross(x, y)].map(|cofactors| dot(&cofactors, &v) / &determinant);
         let from_middle = std::array::from_fn(|i| big(origin[i]) - big(translation[i]));
         Self::through(inverse(from_middle), inverse(direction.to_array().map(big)))
     }

@@ -82,7 +82,8 @@ pub fn numbers(event: &Event, twin: Option<&Event>, is_inherited: bool, reach: f
     if has_no_results(&event.what) {
         return Vec::new();
     }
-    let mut numbers: Vec<_> = event.working.iter().filter_map(|line| of_line(line, twin, is_inherited, reach)).collect();
+    let mut numbers: Vec<_> =
+        event.working.iter().filter_map(|line| of_line(line, twin, is_inherited, reach)).collect();
     if let Some(twin) = twin.filter(|_| !is_working(&event.what)) {
         let truths = twin.what.quantities();
         for quantity in event.what.quantities().into_iter().filter(|quantity| !quantity.name.ends_with("error")) {

@@ -1,7 +1,7 @@
 //! The tree of a ray as an outline, with what every method has right.
 
 use super::{Story, ThisRay, Told};
-use crate::record::{Event, EventId};
+use crate::record::{Event, EventId, What};
 
 /// A row: an event of the exact tree.
 #[derive(Clone, Debug)]
@@ -19,12 +19,16 @@ impl ThisRay {
     #[must_use]
     pub fn outline(&self) -> Vec<OutlineRow<'_>> {
         let twins: Vec<_> = self.stories.iter().map(|story| of_exact(story, self.exact.events.len())).collect();
-        let told = |story: usize, id: EventId| twins[story][id as usize].map(|own| (own, &self.stories[story].told[own as usize]));
+        let told = |story: usize, id: EventId| {
+            twins[story][id as usize].map(|own| (own, &self.stories[story].told[own as usize]))
+        };
         let mut is_shown = vec![false; self.exact.events.len()];
         // Descendants follow the event that they are part of.
         for event in self.exact.events.iter().rev() {
-            let has_numbers = (0..self.stories.len()).any(|k| told(k, event.id).is_some_and(|(_, told)| told.right.is_some()));
-            let is_missing = has_numbers_by_itself(event) && (0..self.stories.len()).any(|k| told(k, event.id).is_none());
+            let has_numbers =
+                (0..self.stories.len()).any(|k| told(k, event.id).is_some_and(|(_, told)| told.right.is_some()));
+            let is_missing =
+                has_numbers_by_itself(event) && (0..self.stories.len()).any(|k| told(k, event.id).is_none());
             if has_numbers || is_missing || is_shown[event.id as usize] {
                 is_shown[event.id as usize] = true;
                 if let Some(parent) = event.parent {
@@ -56,6 +60,8 @@ fn of_exact(story: &Story, count: usize) -> Vec<Option<EventId>> {
 
 /// Whether it would be missed: a hit or what follows from it.
 fn has_numbers_by_itself(event: &Event) -> bool {
-    use crate::record::What;
-    matches!(event.what, What::Hit { .. } | What::Ray { .. } | What::Colour { .. } | What::Roots { .. } | What::Nothing { .. })
+    matches!(
+        event.what,
+        What::Hit { .. } | What::Ray { .. } | What::Colour { .. } | What::Roots { .. } | What::Nothing { .. }
+    )
 }
