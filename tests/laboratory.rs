@@ -65,7 +65,12 @@ fn controls_change_nothing_on_any_scene() {
         let scene = narrow(load(embedded.text, &embedded.name).unwrap(), 12);
         let few = scene.with_profile(&Profile { samples: Some(2), ..Profile::STANDARD });
         let bare = few.with_profile(&Profile { shortcuts: Some(Shortcuts::NONE), ..Profile::STANDARD });
-        assert_eq!(errors(&picture(&bare), &picture(&few)), rayscope::laboratory::Errors::default(), "{}", embedded.name);
+        assert_eq!(
+            errors(&picture(&bare), &picture(&few)),
+            rayscope::laboratory::Errors::default(),
+            "{}",
+            embedded.name
+        );
     }
 }
 

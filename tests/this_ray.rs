@@ -39,7 +39,7 @@ fn equation(leaf: &Leaf) -> Exact {
     let axes = || [DVec3::X, DVec3::Y, DVec3::Z].into_iter().flat_map(|n| [(n, 1.0), (-n, 1.0)]).collect();
     match &leaf.shape {
         Shape::Sphere(_) => Exact::Sphere,
-        Shape::TaperedCylinder(solid) => Exact::Tapered(solid.s),
+        Shape::TaperedCylinder(solid) => Exact::Tapered(solid.s()),
         Shape::Cylinder(_) => Exact::Tapered(1.0),
         Shape::Cone(_) => Exact::Tapered(0.0),
         Shape::Cube(_) => Exact::Planes(axes()),

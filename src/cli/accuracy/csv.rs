@@ -1,7 +1,7 @@
 //! `--format csv`: a line for each point, all digits.
 
 use super::Findings;
-use super::data::{knob_and_value};
+use super::data::knob_and_value;
 use std::fmt::Write;
 
 const HEAD: &str = "knob,value,seconds,spread,repeats,noise,times_standard,rmse,p999,wrong_pixels,dissimilarity,\

@@ -49,7 +49,8 @@ impl Tool {
 
 /// The instructions of the scene as it stands and of each point, in their order.
 pub fn count_all(scene: &SceneArgument, run: &Run) -> Result<Vec<Option<u64>>, Failure> {
-    let program = env::current_exe().map_err(|error| Failure::refused(format!("this program cannot find itself: {error}")))?;
+    let program =
+        env::current_exe().map_err(|error| Failure::refused(format!("this program cannot find itself: {error}")))?;
     let tool = find_tool(&program)?;
     let folder = tempfile::tempdir()
         .map_err(|error| Failure::refused(format!("no folder for temporary files: {}", reason(&error))))?;
@@ -93,7 +94,8 @@ impl Counting<'_> {
         if self.scene.outside() == crate::folder::Outside::Allowed {
             command.arg("--allow-outside-files");
         }
-        let output = command.output().map_err(|error| Failure::refused(format!("the counting tool: {}", reason(&error))))?;
+        let output =
+            command.output().map_err(|error| Failure::refused(format!("the counting tool: {}", reason(&error))))?;
         Ok(self.tool.count(&said(&output)))
     }
 }
@@ -129,7 +131,8 @@ fn why_not(tool: Tool, output: &Output) -> String {
     let said = said(output);
     match tool {
         Tool::Perf if said.contains("<not supported>") => {
-            "perf: this machine's processor does not let instructions be counted (many virtual machines do not)".to_owned()
+            "perf: this machine's processor does not let instructions be counted (many virtual machines do not)"
+                .to_owned()
         }
         Tool::Callgrind if said.contains("unhandled instruction") || said.contains("SIGILL") => {
             "valgrind does not know an instruction of this program; build it without -C target-cpu=native".to_owned()

@@ -9,16 +9,19 @@ mod plot;
 mod resume;
 mod table;
 
+use super::accuracy_ray;
 use super::drawn::Theme;
 use super::failure::{Failure, warn};
 use super::output::Output;
 use super::progress::{stopped_by_ctrl_c, with_bar};
 use super::scene_argument::SceneArgument;
+use super::trace;
 use crate::cpu_time;
-use crate::laboratory::{Answer, Earlier, Goal, Knob, Plan, Run, Tools, study};
+use crate::laboratory::{Answer, Earlier, Goal, Knob, Plan, Run, Target, Tools, study};
 use crate::scene::Scene;
 use cache::{Cache, load_identified};
 use clap::{ArgGroup, Args, ValueEnum};
+use glam::DVec3;
 use std::path::PathBuf;
 use std::time::Instant;
 
@@ -36,6 +39,8 @@ Examples:
   rayscope accuracy lens/focus --format json -o run.json --budget 2m
   rayscope accuracy lens/focus --resume run.json --format json -o run.json
                                                                more repeats of the same
+  rayscope accuracy hard/far_torus --pixel 130,95              one ray by every method: what it takes, and digits right
+                                                               of every number on its way
 
 Each setting is one knob at one value, all else being as the scene says. Its picture is compared with a reference that has
 every knob at its best; where chance decides, the reference is the mean of several pictures, and its own error is stated. Times are
@@ -49,6 +54,12 @@ Ctrl-C writes what is finished and ends with exit code 130.")]
 pub struct Accuracy {
     #[command(flatten)]
     scene: SceneArgument,
+    /// One ray instead of pictures: that of this pixel, counted from 0 at the top left
+    #[arg(long, value_name = "X,Y", value_parser = trace::pixel, conflicts_with = "ray", conflicts_with_all = PICTURES)]
+    pixel: Option<[u32; 2]>,
+    /// One ray instead of pictures: its origin and direction
+    #[arg(long, value_name = "OX,OY,OZ,DX,DY,DZ", value_parser = trace::ray, allow_hyphen_values = true, conflicts_with_all = PICTURES)]
+    ray: Option<[DVec3; 2]>,
     /// How long to measure, such as 30s, 2m or 30
     #[arg(long, value_name = "TIME", default_value = "30s", value_parser = seconds)]
     budget: f64,
@@ -99,6 +110,10 @@ pub struct Accuracy {
     instructions: bool,
 }
 
+/// What asks for pictures, of which one ray makes none.
+const PICTURES: [&str; 9] =
+    ["knob", "single", "seed", "plot", "for_time", "for_error", "profile", "resume", "instructions"];
+
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum Format {
     /// A table
@@ -128,6 +143,9 @@ pub struct Findings<'a> {
 impl Accuracy {
     /// Measures and writes.
     pub fn run(&self) -> Result<(), Failure> {
+        if let Some(target) = self.pixel.map(Target::Pixel).or(self.ray.map(Target::Ray)) {
+            return self.report_ray(target);
+        }
         let (scene, identity) = load_identified(&self.scene)?;
         let earlier = self.resume.as_deref().map(|path| resume::read(path, identity)).transpose()?;
         let output = Output::create(self.output.as_deref())?;
@@ -136,8 +154,14 @@ impl Accuracy {
         let plan = self.plan(earlier.as_ref())?;
         let run = self.measure(&scene, identity, &plan, earlier.as_ref())?;
         run.warnings.iter().for_each(|warning| warn(warning));
-        let mut findings =
-            Findings { scene_name: self.scene.name(), scene: &scene, identity, seed: plan.seed, run: &run, instructions: Vec::new() };
+        let mut findings = Findings {
+            scene_name: self.scene.name(),
+            scene: &scene,
+            identity,
+            seed: plan.seed,
+            run: &run,
+            instructions: Vec::new(),
+        };
         if self.instructions && !run.is_cut_short {
             findings.instructions = instructions::count_all(&self.scene, &run)?;
         }
@@ -156,13 +180,25 @@ impl Accuracy {
         profile.map_or(Ok(()), |output| self.write_profile(output, &run))
     }
 
+    /// One ray by every method.
+    fn report_ray(&self, target: Target) -> Result<(), Failure> {
+        let format = match self.format {
+            Format::Text => accuracy_ray::Format::Text,
+            Format::Json => accuracy_ray::Format::Json,
+            Format::Csv => return Err(Failure::usage("one ray is written as text or as JSON; CSV is for settings")),
+        };
+        accuracy_ray::report(&self.scene.load()?, target, format, self.output.as_deref())
+    }
+
     fn plan(&self, earlier: Option<&Earlier>) -> Result<Plan, Failure> {
         let wanted = |knob: &Knob| self.knob.is_empty() || self.knob.iter().any(|name| name == knob.name());
         if let (Some(seed), Some(Earlier { seed: before, .. })) = (self.seed, earlier)
             && *before != Some(seed)
         {
             let before = before.map_or("the scene's own seed".to_owned(), |seed| format!("the seed {seed}"));
-            return Err(Failure::usage(format!("the run to be resumed has {before}; leave --seed out to go on with it")));
+            return Err(Failure::usage(format!(
+                "the run to be resumed has {before}; leave --seed out to go on with it"
+            )));
         }
         Ok(Plan {
             width: self.width,
@@ -183,8 +219,7 @@ impl Accuracy {
         let progress = stopped_by_ctrl_c();
         let mut store = Cache::open(self.cache.as_deref(), self.no_cache, identity);
         let mut stopwatch = cpu_time::taken;
-        let tools =
-            Tools { stopwatch: &mut stopwatch, store: &mut store, progress: &progress, watch: &mut |_| {} };
+        let tools = Tools { stopwatch: &mut stopwatch, store: &mut store, progress: &progress, watch: &mut |_| {} };
         let began = Instant::now();
         let passed = || milliseconds(began.elapsed().as_secs_f64().min(self.budget));
         let run = with_bar(milliseconds(self.budget), passed, || study(scene, plan, earlier, tools));
@@ -241,7 +276,9 @@ mod tests {
 
     #[test]
     fn times_are_read_as_people_write_them() {
-        for (text, expected) in [("30", 30.0), ("30s", 30.0), ("1.5m", 90.0), ("200ms", 0.2), ("1h", 3600.0), ("2 s", 2.0)] {
+        for (text, expected) in
+            [("30", 30.0), ("30s", 30.0), ("1.5m", 90.0), ("200ms", 0.2), ("1h", 3600.0), ("2 s", 2.0)]
+        {
             assert_eq!(seconds(text), Ok(expected), "{text}");
         }
         for text in ["", "s", "0", "-3s", "inf", "NaN", "soon"] {

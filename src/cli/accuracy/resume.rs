@@ -33,9 +33,8 @@ struct PointData {
 pub fn read(path: &Path, identity: u64) -> Result<Earlier, Failure> {
     let refuse = |why: &str| Failure::usage(format!("{} cannot be resumed: {why}", path.display()));
     let text = fs::read_to_string(path).map_err(|error| refuse(&reason(&error)))?;
-    let file: File = serde_json::from_str(&text).map_err(|error| {
-        refuse(&format!("it is not what `rayscope accuracy --format json` writes ({error})"))
-    })?;
+    let file: File = serde_json::from_str(&text)
+        .map_err(|error| refuse(&format!("it is not what `rayscope accuracy --format json` writes ({error})")))?;
     if file.version != env!("CARGO_PKG_VERSION") {
         let (before, now) = (&file.version, env!("CARGO_PKG_VERSION"));
         return Err(refuse(&format!("it was measured by version {before}, and this is {now}; measure anew")));

@@ -43,9 +43,11 @@ fn row(point: &Point, value: &str, standard: Option<f64>) -> String {
     let times = timing.told().zip(standard).map_or_else(String::new, |(time, standard)| short(time / standard));
     let errors = &point.errors;
     // A long name has a line of its own.
-    let name = if value.chars().count() > 20 { format!("{mark} {value}\n{:24}", "") } else { format!("{mark} {value:22}") };
+    let name =
+        if value.chars().count() > 20 { format!("{mark} {value}\n{:24}", "") } else { format!("{mark} {value:22}") };
     let lost = timing.noise.is_some();
-    let columns = if lost { format!("{seconds:<40}") } else { format!("{seconds:>22}{:>8}{times:>10}", timing.repeats) };
+    let columns =
+        if lost { format!("{seconds:<40}") } else { format!("{seconds:>22}{:>8}{times:>10}", timing.repeats) };
     format!(
         "{name}{columns}{:>11}{:>10}{:>8}{:>11}",
         short(errors.rmse),
@@ -81,7 +83,11 @@ fn head(findings: &Findings) -> String {
         0.0 => "nothing in it is left to chance".to_owned(),
         error => format!("its own error is {}", short(error)),
     };
-    let pictures = if study.reference.pictures == 1 { "1 picture".to_owned() } else { format!("the mean of {} pictures", study.reference.pictures) };
+    let pictures = if study.reference.pictures == 1 {
+        "1 picture".to_owned()
+    } else {
+        format!("the mean of {} pictures", study.reference.pictures)
+    };
     let cached = if study.reference.cached { ", some of them from earlier runs" } else { "" };
     let _ = writeln!(text, "Reference: {}, {pictures}{cached}; {sure}.\n", what_is_true(findings.scene));
     text
@@ -94,7 +100,8 @@ fn foot(findings: &Findings) -> String {
         .to_owned();
     for found in &run.answers {
         let words = if found.is_met { answer(found) } else { unmet(found) };
-        let _ = writeln!(text, "\n{} for {} × {} pixels:\n  {words}", goal(found.goal), run.whole.width, run.whole.height);
+        let _ =
+            writeln!(text, "\n{} for {} × {} pixels:\n  {words}", goal(found.goal), run.whole.width, run.whole.height);
     }
     text
 }
