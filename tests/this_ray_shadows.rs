@@ -46,7 +46,9 @@ fn hits_of_77_digits_are_those_of_the_oracle_to_the_last_digit_of_f64() {
             for expected in sure_hits(case) {
                 compared += 1;
                 let off = found.iter().map(|hit: &Crossing| (hit.t - expected).abs()).fold(f64::INFINITY, f64::min);
-                if off > ulp(expected) {
+                // Superellipsoids' solver stops where a step is too short to show beside the size of the solid.
+                let short = f64::EPSILON / 16.0 / case.direction.abs().max_element();
+                if off > ulp(expected) + short {
                     complaints.push(format!("{}: {expected} is off by {:.1} ulp", case.id, off / ulp(expected)));
                 }
             }
@@ -85,11 +87,12 @@ fn compare<A: Real>(file: &str) -> usize {
     for case in cases(file).unwrap().iter().filter(|case| !case.ambiguous) {
         let (measured, kept) = told::<A>(case);
         for expected in sure_hits(case) {
+            // Two times that rounding has made one have two shadows.
+            let misjudged = |(t, told): &(f64, f64)| ((t - expected).abs() - told).abs();
+            let off = |(t, _): &(f64, f64)| (t - expected).abs();
             let near = measured.iter().filter(|(t, _)| kept.contains(t));
-            let Some((t, told)) = near.min_by(|(a, _), (b, _)| (a - expected).abs().total_cmp(&(b - expected).abs()))
-            else {
-                continue;
-            };
+            let nearest = near.min_by(|a, b| off(a).total_cmp(&off(b)).then(misjudged(a).total_cmp(&misjudged(b))));
+            let Some((t, told)) = nearest else { continue };
             let known = (t - expected).abs();
             // The oracle's time and the one that is shown are rounded to f64.
             if *told < 1e-2 * expected.abs() {
