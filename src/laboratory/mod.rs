@@ -37,7 +37,7 @@ pub use reference::{Sums, best_profile, is_random, reference_scene, what_is_true
 pub use reference_file::{NoStore, Store, checksum};
 pub use stopwatch::{Stopwatch, Taken, pinned_work};
 pub use study::{Run, study};
-pub use subject::setting_named;
+pub use subject::{narrowed, setting_named};
 pub use this_ray::{
     Number, OutlineRow, Parting, Story, Target, ThisRay, Told, digits_right, this_ray, this_ray_text, time_methods,
 };
