@@ -1,6 +1,7 @@
 //! The command line: one file for each command.
 
 mod accuracy;
+mod accuracy_map;
 mod accuracy_ray;
 mod bench;
 mod drawn;

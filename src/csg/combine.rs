@@ -32,7 +32,7 @@ struct Toggle<'a> {
 type Toggles<'a> = SmallVec<[Toggle<'a>; 8]>;
 
 /// Boundaries of two operands that cannot be told apart, though their times differ.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Tie {
     /// The time of the first of them.
     pub t: f64,
@@ -40,6 +40,8 @@ pub struct Tie {
     pub gap: f64,
     /// What their errors come to.
     pub doubt: f64,
+    /// The leaves that they belong to.
+    pub leaves: SmallVec<[usize; 4]>,
 }
 
 /// The inside set of `left OP right`. Touches bound nothing and are dropped. `tied` is told of boundaries that differ and
@@ -143,7 +145,8 @@ fn merged<'a>(left: &'a [Boundary], right: &'a [Boundary]) -> Toggles<'a> {
 fn tie(group: &[Toggle]) -> Option<Tie> {
     let [first, .., last] = group else { return None };
     let (t, gap) = (first.boundary.t, last.boundary.t - first.boundary.t);
-    (gap > 0.0).then_some(Tie { t, gap, doubt: first.boundary.error + last.boundary.error })
+    let leaves = || group.iter().map(|toggle| toggle.boundary.leaf).collect();
+    (gap > 0.0).then(|| Tie { t, gap, doubt: first.boundary.error + last.boundary.error, leaves: leaves() })
 }
 
 /// How many of the first toggles cannot be told apart. Toggles of one operand alone always can: its list is in order.
@@ -250,8 +253,9 @@ mod tests {
         let a = list(0, &[(0.0, 1.0)]);
         let b = blurred(&list(1, &[(-1.0, 1.0 + 1e-12)]), 1e-11);
         super::combine(Operator::Union, &a, &b, &mut |tie| ties.push(tie));
-        let [Tie { t, gap, doubt }] = ties[..] else { panic!("{ties:?}") };
-        assert!(t == 1.0 && (gap - 1e-12).abs() < 1e-15 && doubt == 1e-11);
+        let [Tie { t, gap, doubt, leaves }] = &ties[..] else { panic!("{ties:?}") };
+        assert!(*t == 1.0 && (gap - 1e-12).abs() < 1e-15 && *doubt == 1e-11);
+        assert_eq!(leaves[..], [0, 1]);
     }
 
     #[test]

@@ -8,7 +8,8 @@ use super::{Boundary, Course, Enclosure, Extent, IntervalList, Leaf, Node, Solid
 use crate::math::{Alone, DoubleDouble, Precise, Real};
 use crate::record::{Counter, NullRecorder, Operator, Recorder, Sense};
 use crate::shape::{Crossings, Method, Primitive, Solving};
-use std::cell::Cell;
+use smallvec::SmallVec;
+use std::cell::{Cell, RefCell};
 
 /// One ray's way through the tree.
 pub(super) struct Query<'a> {
@@ -18,15 +19,17 @@ pub(super) struct Query<'a> {
     is_met: bool,
     /// Boundaries of two operands that could not be told apart: the first that were met.
     tie: Cell<Option<Tie>>,
+    /// The leaves that are asked with 32 digits.
+    widened: RefCell<SmallVec<[usize; 4]>>,
 }
 
 impl<'a> Query<'a> {
-    pub const fn new(solid: &'a Solid, course: &'a Course) -> Self {
-        Self { solid, course, is_met: false, tie: Cell::new(None) }
+    pub fn new(solid: &'a Solid, course: &'a Course) -> Self {
+        Self { solid, course, is_met: false, tie: Cell::new(None), widened: RefCell::new(SmallVec::new()) }
     }
 
     /// For a ray that is known to meet the box of the whole solid, or not known to.
-    pub const fn with_box_met(self, is_met: bool) -> Self {
+    pub fn with_box_met(self, is_met: bool) -> Self {
         Self { is_met, ..self }
     }
 
@@ -60,21 +63,41 @@ impl<'a> Query<'a> {
         }
     }
 
-    /// The whole tree, in the fast arithmetic if that is enough.
+    /// The whole tree, in the fast arithmetic where that is enough.
     fn adaptively<A: Real, R: Recorder>(&self, recorder: &mut R) -> IntervalList {
-        let root = self.solid.root();
-        // What is told is the way that decided; so it has to be known first which one that is.
-        let first =
-            if R::RECORDING { self.node::<A, _>(root, &mut NullRecorder) } else { self.node::<A, R>(root, recorder) };
+        let first = self.tried::<A, R>(recorder);
         match self.tie.take() {
-            None if R::RECORDING => self.node::<A, R>(root, recorder),
+            None if R::RECORDING => self.node::<A, R>(self.solid.root(), recorder),
             None => first,
-            Some(tie) => {
-                let list = self.node::<DoubleDouble, R>(root, recorder);
-                recorder.note(|| report::tie::<A>(tie, self.tie.get()));
-                list
-            }
+            Some(tie) => self.untied::<A, R>(&tie, recorder),
         }
+    }
+
+    /// The whole tree. What is told is the way that decided; so it has to be known first which one that is.
+    fn tried<A: Real, R: Recorder>(&self, recorder: &mut R) -> IntervalList {
+        let root = self.solid.root();
+        if R::RECORDING { self.node::<A, _>(root, &mut NullRecorder) } else { self.node::<A, R>(root, recorder) }
+    }
+
+    /// The whole tree again, with 32 digits for the leaves whose boundaries could not be told apart, until no others are
+    /// left of which that is so.
+    #[cold]
+    #[inline(never)]
+    fn untied<A: Real, R: Recorder>(&self, first: &Tie, recorder: &mut R) -> IntervalList {
+        let mut open = first.clone();
+        let (list, last) = loop {
+            self.widened.borrow_mut().extend(open.leaves);
+            let list = self.tried::<A, R>(recorder);
+            match self.tie.take() {
+                Some(other) if self.is_open(&other) => open = other,
+                last => break (list, last),
+            }
+        };
+        if R::RECORDING {
+            self.node::<A, R>(self.solid.root(), recorder);
+        }
+        recorder.note(|| report::tie::<A>(first, last.as_ref()));
+        list
     }
 
     fn node<A: Real, R: Recorder>(&self, node: &Node, recorder: &mut R) -> IntervalList {
@@ -145,18 +168,27 @@ impl<'a> Query<'a> {
         wide.reached(self.course).into_iter().fold(IntervalList::default(), add)
     }
 
-    /// Keeps the first tie.
+    /// Keeps the first tie, or the first one that is open.
     fn note(&self, tie: Tie) {
-        self.tie.set(Some(self.tie.get().unwrap_or(tie)));
+        let kept = self.tie.take().filter(|kept| self.is_open(kept) || !self.is_open(&tie));
+        self.tie.set(Some(kept.unwrap_or(tie)));
+    }
+
+    /// Whether more digits may tell boundaries apart that are tied.
+    fn is_open(&self, tie: &Tie) -> bool {
+        let widened = self.widened.borrow();
+        tie.leaves.iter().any(|leaf| !widened.contains(leaf))
     }
 
     fn leaf<A: Real, R: Recorder>(&self, index: usize, enclosure: &Enclosure, recorder: &mut R) -> IntervalList {
         let leaf = &self.solid.leaves[index];
         let list = |recorder: &mut R| {
-            if self.meets(&leaf.name, enclosure, recorder) {
-                self.primitive::<A, R>(index, leaf, &enclosure.extent, recorder)
-            } else {
+            if !self.meets(&leaf.name, enclosure, recorder) {
                 IntervalList::default()
+            } else if !A::FINEST && self.widened.borrow().contains(&index) {
+                self.primitive::<DoubleDouble, R>(index, leaf, &enclosure.extent, recorder)
+            } else {
+                self.primitive::<A, R>(index, leaf, &enclosure.extent, recorder)
             }
         };
         recorder.event(list, |list| report::primitive(leaf, index, list))

@@ -64,20 +64,20 @@ pub fn combine(
 
 /// How boundaries of two operands that the fast arithmetic could not tell apart were told apart after all, or were not.
 #[track_caller]
-pub fn tie<A: Real>(first: Tie, second: Option<Tie>) -> Entry {
-    let tier = |arithmetic: &str, tie: Tie| Tier {
+pub fn tie<A: Real>(first: &Tie, second: Option<&Tie>) -> Entry {
+    let tier = |arithmetic: &str, [gap, doubt]: [f64; 2], decided| Tier {
         arithmetic: arithmetic.to_owned(),
-        value: tie.gap,
-        doubt: tie.doubt,
-        decided: false,
+        value: gap,
+        doubt,
+        decided,
         operations: 0,
         f64_operations: 0,
     };
-    let (gap, doubt) = second.map_or((first.gap, 0.0), |tie| (tie.gap, tie.doubt));
-    let last = Tier { decided: second.is_none(), ..tier(DoubleDouble::NAME, Tie { gap, doubt, ..first }) };
+    let [gap, doubt] = second.map_or([first.gap, 0.0], |tie| [tie.gap, tie.doubt]);
+    let last = tier(DoubleDouble::NAME, [gap, doubt], second.is_none());
     Entry::new(What::Decision {
         question: "Do boundaries of two operands lie apart?".to_owned(),
-        tiers: vec![tier(A::NAME, first), last],
+        tiers: vec![tier(A::NAME, [first.gap, first.doubt], false), last],
         input_doubt: doubt,
         near: Some(first.t),
         certificate: if second.is_some() { Certificate::Undecidable } else { Certificate::Fallback },

@@ -57,7 +57,7 @@ fn root_mean_square(differences: &[[f64; 3]]) -> f64 {
 }
 
 /// By channel, of what is stored: colours lighter than 1 are 1. What is no number differs from every number by all there is.
-fn difference(a: Rgb, b: Rgb) -> [f64; 3] {
+pub(super) fn difference(a: Rgb, b: Rgb) -> [f64; 3] {
     let stored = |x: f64| x.clamp(0.0, 1.0);
     let channel = |a: f64, b: f64| match [a.is_nan(), b.is_nan()] {
         [false, false] => (stored(a) - stored(b)).abs(),

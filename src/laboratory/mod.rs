@@ -11,7 +11,10 @@ mod combination;
 mod errors;
 mod frontier;
 mod knob;
+mod maps;
+mod pair;
 mod plan;
+mod plot;
 mod point;
 mod proposal;
 mod referee;
@@ -29,13 +32,15 @@ pub use combination::{Base, Prediction, Step, predictions};
 pub use errors::errors;
 pub use frontier::{Standing, frontier};
 pub use knob::{Knob, Setting};
+pub use maps::{MapKind, digits_map, error_map, tier_map, time_map};
 pub use plan::{Earlier, Plan, Tools};
+pub use plot::plot;
 pub use point::{Errors, Noise, Point, Reference, Study, Timing};
 pub use reference::{Sums, best_profile, is_random, reference_scene, what_is_true};
 pub use reference_file::{NoStore, Store, checksum};
 pub use stopwatch::{Stopwatch, Taken, pinned_work};
 pub use study::{Run, study};
-pub use subject::setting_named;
+pub use subject::{narrowed, setting_named};
 pub use this_ray::{
     Number, OutlineRow, Parting, Story, Target, ThisRay, Told, digits_right, this_ray, this_ray_text, time_methods,
 };

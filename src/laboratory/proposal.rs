@@ -1,7 +1,7 @@
 //! Which combinations are worth measuring, by what is known so far.
 
 use super::combination::{Base, Prediction, Step, between, predictions, spread_out};
-use super::{Goal, Knob, Point, Setting, Study};
+use super::{Goal, Knob, Point, Study};
 use crate::ledger::quantile;
 
 /// The most combinations that are proposed at a time, besides those for goals.
@@ -12,7 +12,7 @@ const FOR_A_GOAL: usize = 2;
 
 /// Combinations that were not measured yet: those on the predicted frontier, spread out, and before them those that the goals
 /// ask for. `scale` is how many times as many pixels the whole picture has.
-pub(super) fn proposals(study: &Study, goals: &[Goal], scale: f64) -> Vec<Vec<Setting>> {
+pub(super) fn proposals(study: &Study, goals: &[Goal], scale: f64) -> Vec<Prediction> {
     let Some(seconds) = study.standard.timing.told() else { return Vec::new() };
     let base = Base { seconds, error: study.standard.errors.rmse, least: study.reference.error };
     let steps = steps(study, seconds);
@@ -23,7 +23,7 @@ pub(super) fn proposals(study: &Study, goals: &[Goal], scale: f64) -> Vec<Vec<Se
     let correction = correction(study, &steps, &base);
     let all = predictions(&steps, &base).into_iter().filter(is_new);
     let new: Vec<_> = all.map(|prediction| corrected(prediction, correction)).collect();
-    let mut proposals: Vec<Vec<Setting>> = Vec::new();
+    let mut proposals: Vec<Prediction> = Vec::new();
     for goal in goals {
         let rank = |prediction: &Prediction| goal.rank(scale * prediction.seconds, prediction.error);
         let mut ranked: Vec<_> = new.iter().collect();
@@ -31,9 +31,10 @@ pub(super) fn proposals(study: &Study, goals: &[Goal], scale: f64) -> Vec<Vec<Se
             let ((missed_a, a), (missed_b, b)) = (rank(a), rank(b));
             missed_a.cmp(&missed_b).then(a[0].total_cmp(&b[0])).then(a[1].total_cmp(&b[1]))
         });
-        proposals.extend(ranked.into_iter().take(FOR_A_GOAL).map(|prediction| prediction.settings.clone()));
+        proposals.extend(ranked.into_iter().take(FOR_A_GOAL).cloned());
     }
-    proposals.extend(spread_out(new, MOST).into_iter().map(|prediction| prediction.settings));
+    let combined = new.into_iter().filter(|prediction| prediction.settings.len() > 1).collect();
+    proposals.extend(spread_out(combined, MOST));
     proposals
 }
 

@@ -7,13 +7,13 @@
 //! lights that have a size, asks for exactly these colours: its reference is looked at through the centres, too, and steps along
 //! edges are no error of it. A scene that is sampled asks for means over pixels, lens and lights, however few samples it takes: its
 //! reference converges to these. The octaves of noise are part of what the scene asks for: more of them are another texture.
-//! Light that was mirrored more often than the deepest ray is missing from the reference, too.
+//! Light that was mirrored more often than the deepest ray is missing from the reference, too, and where light is taken apart
+//! without chance its colours are still those of a number of wavelengths.
 //!
 //! **How sure it is.** The error of the mean of n pictures is estimated by what they differ from each other: the standard error
 //! s / √n of each channel of each pixel, as a root mean square over all of them.
 
 use super::{Knob, Reference};
-use crate::record::Effect;
 use crate::scene::{Profile, Rgb, Scene, Shortcuts};
 use crate::shape::{Method, Search};
 use crate::texture::image::Filter;
@@ -54,7 +54,7 @@ pub fn best_profile(scene: &Scene) -> Profile {
 /// Whether chance decides over the scene's colours.
 #[must_use]
 pub fn is_random(scene: &Scene) -> bool {
-    Knob::Samples.matters_to(scene) || scene.effects.has(Effect::Dispersion)
+    Knob::Samples.matters_to(scene)
 }
 
 /// What is true of the scene, in words.

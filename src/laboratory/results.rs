@@ -5,9 +5,10 @@ use super::errors::errors;
 use super::frontier::frontier;
 use super::subject::Subject;
 use super::timing::Repeat;
-use super::{Knob, Point, Reference, Setting, Study};
+use super::{Knob, Point, Reference, Setting, Standing, Study};
 use crate::scene::Profile;
 use crate::trace::Picture;
+use std::cmp::Ordering;
 
 /// Compares the pictures that were not compared yet. The first subject is the scene as it stands.
 pub(super) fn judge(subjects: &mut [Subject], reference: &Reference) {
@@ -37,17 +38,25 @@ pub(super) fn results(subjects: &[Subject], reference: &Reference, bench: &Bench
 
 /// Every name with its subject: single settings in the order of the knobs and of their values, then all others.
 fn in_order(subjects: &[Subject]) -> Vec<(usize, Vec<Setting>)> {
-    let order: Vec<Setting> = Knob::ALL.into_iter().flat_map(Knob::settings).collect();
-    let rank = |settings: &[Setting]| match settings {
-        [single] => order.iter().position(|setting| setting == single).unwrap_or(order.len()),
-        _ => order.len(),
-    };
     let timed = subjects.iter().enumerate().filter(|(_, subject)| !subject.repeats.is_empty());
     let names = timed.flat_map(|(k, subject)| subject.names.iter().map(move |name| (k, name.clone())));
     let mut names: Vec<_> = names.filter(|(_, name)| !name.is_empty()).collect();
-    names.sort_by_key(|(_, name)| rank(name));
+    names.sort_by(|(_, a), (_, b)| rank(a).partial_cmp(&rank(b)).unwrap_or(Ordering::Equal));
     names
 }
+
+/// The knob's place, then the value as a number or its place among those that are tried.
+fn rank(settings: &[Setting]) -> (usize, f64) {
+    let [single] = settings else { return (Knob::ALL.len(), 0.0) };
+    let knob = Knob::ALL.iter().position(|knob| *knob == single.knob).unwrap_or(Knob::ALL.len());
+    let tried = single.knob.settings();
+    let place = tried.iter().position(|setting| setting.value == single.value).unwrap_or(tried.len());
+    // Words come after numbers, as `certified` does after so many stretches.
+    (knob, single.value.parse().unwrap_or(WORDS + place as f64))
+}
+
+/// More than any number that is a value.
+const WORDS: f64 = 1e9;
 
 fn point(subject: &Subject, settings: &[Setting], on_frontier: bool, resolution: f64, reference: &Reference) -> Point {
     let [error, change] = subject.errors.unwrap_or_default();
@@ -79,5 +88,21 @@ fn on_frontier(subjects: &[Subject], resolution: f64) -> Vec<bool> {
     let on = frontier(&standings.iter().map(|(_, standing)| *standing).collect::<Vec<_>>());
     let mut flags = vec![false; subjects.len()];
     standings.iter().zip(on).for_each(|((k, _), on)| flags[*k] = on);
+    if let Some((0, standard)) = standings.first() {
+        prefer(standard, &standings, &mut flags);
+    }
     flags
+}
+
+/// The scene as it stands takes the place of what is neither clearly faster nor clearly closer: nobody turns a knob for that.
+fn prefer(standard: &Standing, standings: &[(usize, Standing)], flags: &mut [bool]) {
+    let is_like_it = |other: &Standing| {
+        let apart = |a: &Standing, b: &Standing| a.is_clearly_faster(b) || a.is_clearly_closer(b);
+        !apart(standard, other) && !apart(other, standard)
+    };
+    for (k, _) in standings.iter().filter(|(_, other)| is_like_it(other)) {
+        if std::mem::take(&mut flags[*k]) {
+            flags[0] = true;
+        }
+    }
 }

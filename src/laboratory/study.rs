@@ -170,8 +170,13 @@ impl Studying<'_, '_> {
     /// Renders the combinations that promise most, and times them a few times. Says whether any of them is new.
     fn combine(&mut self) -> bool {
         let before = self.subjects.len();
-        for settings in proposals(&self.study(), &self.plan.goals, self.scale()) {
-            add(&mut self.subjects, Subject::new(&self.scene, settings));
+        let mut left = self.plan.budget - self.bench.spent;
+        for proposal in proposals(&self.study(), &self.plan.goals, self.scale()) {
+            let price = f64::from(1 + FEWEST_REPEATS) * proposal.seconds;
+            if price < left {
+                left -= price;
+                add(&mut self.subjects, Subject::new(&self.scene, proposal.settings));
+            }
         }
         let mut rendered = before;
         while rendered < self.subjects.len() && !self.is_over() {

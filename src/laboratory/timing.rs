@@ -73,10 +73,11 @@ impl Timing {
         FRAC_PI_2.sqrt() * DEVIATIONS * self.spread / f64::from(self.repeats).sqrt() / self.seconds
     }
 
-    /// Whether measuring on would tell little more.
+    /// Whether measuring on would tell little more: it is sure enough, and did not have to wait for others.
     #[must_use]
     pub fn is_sure(&self) -> bool {
-        self.repeats >= SURE_REPEATS && self.uncertainty() <= SURE
+        let may_get_better = matches!(self.noise, Some(Noise::Waiting(_) | Noise::Spread(_)));
+        self.repeats >= SURE_REPEATS && self.uncertainty() <= SURE && !may_get_better
     }
 }
 

@@ -47,6 +47,11 @@ impl Progress {
         self.cancelled.load(Ordering::Relaxed)
     }
 
+    /// Counts one more pixel that is finished.
+    pub fn advance(&self) {
+        self.done.fetch_add(1, Ordering::Relaxed);
+    }
+
     /// How many pixels are finished.
     #[must_use]
     pub fn done(&self) -> usize {
@@ -161,7 +166,7 @@ fn trace_row(
             let block = x as usize..x.saturating_add(side).min(width) as usize;
             band.chunks_mut(width as usize).for_each(|line| line[block.clone()].fill(colour));
             computed += 1;
-            progress.done.fetch_add(1, Ordering::Relaxed);
+            progress.advance();
         }
     }
     (computed, tally)

@@ -15,7 +15,7 @@ pub fn trace_pixel(scene: &Scene, x: u32, y: u32, recorder: &mut impl Recorder) 
 }
 
 /// The same with a tracer that is there.
-pub(super) fn trace_pixel_with(tracer: &Tracer, x: u32, y: u32, recorder: &mut impl Recorder) -> Rgb {
+pub fn trace_pixel_with(tracer: &Tracer, x: u32, y: u32, recorder: &mut impl Recorder) -> Rgb {
     let scene = tracer.scene;
     recorder.begin();
     let stream = Stream::of_pixel([x, y], scene.sampling.seed);

@@ -9,6 +9,7 @@ mod plot;
 mod resume;
 mod table;
 
+use super::accuracy_map::{self, Map};
 use super::accuracy_ray;
 use super::drawn::Theme;
 use super::failure::{Failure, warn};
@@ -22,13 +23,14 @@ use crate::scene::Scene;
 use cache::{Cache, load_identified};
 use clap::{ArgGroup, Args, ValueEnum};
 use glam::DVec3;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 /// Show what accuracy costs in time: every setting with its seconds and its error
 #[derive(Args, Debug)]
 #[command(
     group = ArgGroup::new("goal").args(["for_time", "for_error"]).multiple(true),
+    group = ArgGroup::new("drawn").args(["plot", "map"]).multiple(true),
     after_help = "\
 Examples:
   rayscope accuracy lights/soft_shadows                        the table, within half a minute
@@ -39,8 +41,7 @@ Examples:
   rayscope accuracy lens/focus --format json -o run.json --budget 2m
   rayscope accuracy lens/focus --resume run.json --format json -o run.json
                                                                more repeats of the same
-  rayscope accuracy hard/far_torus --pixel 130,95              one ray by every method: what it takes, and digits right
-                                                               of every number on its way
+  rayscope accuracy hard/far_torus --pixel 160,120             one ray: the digits that each method has right
 
 Each setting is one knob at one value, all else being as the scene says. Its picture is compared with a reference that has
 every knob at its best; where chance decides, the reference is the mean of several pictures, and its own error is stated. Times are
@@ -54,12 +55,6 @@ Ctrl-C writes what is finished and ends with exit code 130.")]
 pub struct Accuracy {
     #[command(flatten)]
     scene: SceneArgument,
-    /// One ray instead of pictures: that of this pixel, counted from 0 at the top left
-    #[arg(long, value_name = "X,Y", value_parser = trace::pixel, conflicts_with = "ray", conflicts_with_all = PICTURES)]
-    pixel: Option<[u32; 2]>,
-    /// One ray instead of pictures: its origin and direction
-    #[arg(long, value_name = "OX,OY,OZ,DX,DY,DZ", value_parser = trace::ray, allow_hyphen_values = true, conflicts_with_all = PICTURES)]
-    ray: Option<[DVec3; 2]>,
     /// How long to measure, such as 30s, 2m or 30
     #[arg(long, value_name = "TIME", default_value = "30s", value_parser = seconds)]
     budget: f64,
@@ -84,8 +79,8 @@ pub struct Accuracy {
     /// Also draw error against seconds; the ending says whether as .svg or .png
     #[arg(long, value_name = "FILE", value_parser = plot::file)]
     plot: Option<PathBuf>,
-    /// Colours of the plot
-    #[arg(long, value_enum, default_value_t = Theme::Light, requires = "plot")]
+    /// Colours of the plot or the map
+    #[arg(long, value_enum, default_value_t = Theme::Light, requires = "drawn")]
     theme: Theme,
     /// Ask for the closest whole picture within this time of one thread
     #[arg(long, value_name = "TIME", value_parser = seconds)]
@@ -108,11 +103,39 @@ pub struct Accuracy {
     /// Also count the instructions of each setting, by running this program under perf or valgrind
     #[arg(long)]
     instructions: bool,
+    /// Instead of all this: a map of the picture, pixel by pixel, in a file that ends in .svg or .png
+    #[arg(long, value_enum, conflicts_with_all = NOT_MAPPED)]
+    map: Option<Map>,
+    /// Instead of all this: one ray by every method, with the digits right of every number, through this pixel of the scene
+    #[arg(long, value_name = "X,Y", value_parser = trace::pixel, conflicts_with_all = STUDY)]
+    pixel: Option<[u32; 2]>,
+    /// The same for a ray of your own: origin and direction
+    #[arg(long, value_name = "OX,OY,OZ,DX,DY,DZ", value_parser = trace::ray, allow_hyphen_values = true,
+          conflicts_with_all = STUDY, conflicts_with = "pixel")]
+    ray: Option<[DVec3; 2]>,
 }
 
-/// What asks for pictures, of which one ray makes none.
-const PICTURES: [&str; 9] =
-    ["knob", "single", "seed", "plot", "for_time", "for_error", "profile", "resume", "instructions"];
+/// What means nothing for a map.
+const NOT_MAPPED: [&str; 10] =
+    ["knob", "single", "format", "plot", "for_time", "for_error", "profile", "resume", "instructions", "pixel"];
+
+/// What is of a whole picture, and means nothing for one ray.
+const STUDY: [&str; 14] = [
+    "map",
+    "budget",
+    "width",
+    "knob",
+    "single",
+    "seed",
+    "plot",
+    "for_time",
+    "for_error",
+    "profile",
+    "resume",
+    "cache",
+    "no_cache",
+    "instructions",
+];
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum Format {
@@ -143,9 +166,35 @@ pub struct Findings<'a> {
 impl Accuracy {
     /// Measures and writes.
     pub fn run(&self) -> Result<(), Failure> {
-        if let Some(target) = self.pixel.map(Target::Pixel).or(self.ray.map(Target::Ray)) {
-            return self.report_ray(target);
+        let pixel = self.pixel.map(Target::Pixel);
+        match pixel.or(self.ray.map(Target::Ray)) {
+            Some(target) => self.run_ray(target),
+            None => self.map.map_or_else(|| self.run_study(), |map| self.run_map(map)),
         }
+    }
+
+    fn run_map(&self, map: Map) -> Result<(), Failure> {
+        let named = self.output.as_deref().and_then(Path::to_str).map(plot::file);
+        let Some(Ok(path)) = named else {
+            return Err(Failure::usage("a map is a drawing; name a file that ends in .svg or .png with -o"));
+        };
+        let (scene, identity) = load_identified(&self.scene)?;
+        let output = Output::create(Some(&path))?;
+        let plan = Plan { knobs: Vec::new(), combines: false, ..self.plan(None)? };
+        let map = accuracy_map::mapped(map, &scene, self.width, || self.measure(&scene, identity, &plan, None))?;
+        output.write(&accuracy_map::drawn(&map, self.theme, &path))
+    }
+
+    fn run_ray(&self, target: Target) -> Result<(), Failure> {
+        let format = match self.format {
+            Format::Text => accuracy_ray::Format::Text,
+            Format::Json => accuracy_ray::Format::Json,
+            Format::Csv => return Err(Failure::usage("one ray is written as text or json, not as csv")),
+        };
+        accuracy_ray::report(&self.scene.load()?, target, format, self.output.as_deref())
+    }
+
+    fn run_study(&self) -> Result<(), Failure> {
         let (scene, identity) = load_identified(&self.scene)?;
         let earlier = self.resume.as_deref().map(|path| resume::read(path, identity)).transpose()?;
         let output = Output::create(self.output.as_deref())?;
@@ -178,16 +227,6 @@ impl Accuracy {
             return Err(Failure::interrupted("interrupted: what was finished until then was written"));
         }
         profile.map_or(Ok(()), |output| self.write_profile(output, &run))
-    }
-
-    /// One ray by every method.
-    fn report_ray(&self, target: Target) -> Result<(), Failure> {
-        let format = match self.format {
-            Format::Text => accuracy_ray::Format::Text,
-            Format::Json => accuracy_ray::Format::Json,
-            Format::Csv => return Err(Failure::usage("one ray is written as text or as JSON; CSV is for settings")),
-        };
-        accuracy_ray::report(&self.scene.load()?, target, format, self.output.as_deref())
     }
 
     fn plan(&self, earlier: Option<&Earlier>) -> Result<Plan, Failure> {

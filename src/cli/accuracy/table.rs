@@ -16,7 +16,7 @@ pub fn table(findings: &Findings) -> String {
     let _ = writeln!(
         text,
         "{:24}{:>22}{:>8}{:>10}{:>11}{:>10}{:>8}{:>11}{instructions}",
-        "", "time ± spread", "repeats", "times", "RMSE", "p99.9", "wrong", "1 − SSIM"
+        "", "time ± spread", "repeats", "× scene", "RMSE", "p99.9", "wrong", "1 − SSIM"
     );
     let mut block = String::new();
     for (k, point) in std::iter::once(&study.standard).chain(&study.points).enumerate() {
@@ -80,7 +80,7 @@ fn head(findings: &Findings) -> String {
         pinned.repeats
     );
     let sure = match study.reference.error {
-        0.0 => "nothing in it is left to chance".to_owned(),
+        0.0 => "there is no chance in it".to_owned(),
         error => format!("its own error is {}", short(error)),
     };
     let pictures = if study.reference.pictures == 1 {

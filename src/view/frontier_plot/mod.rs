@@ -19,6 +19,8 @@ use super::palette::Theme;
 use cluster::Cluster;
 use paper::Paper;
 use scale::LogScale;
+pub(super) use scale::error;
+pub use scale::seconds;
 
 /// What is to be plotted.
 #[derive(Clone, Debug, Default, PartialEq)]

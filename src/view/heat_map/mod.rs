@@ -1,0 +1,176 @@
+//! A value for each pixel of a picture, as colours with their legend.
+//!
+//! Each pixel is a square of whole points, so that no seams are seen between them. Where a picture has more pixels than the
+//! drawing has room for, a square stands for the worst of several.
+
+mod colours;
+mod legend;
+#[cfg(test)]
+mod tests;
+
+use super::drawing::{Anchor, Drawing, Form, Frame, Stroke};
+use super::fonts::Face;
+use super::labels::{Label, shortened};
+use super::palette::{Palette, Theme};
+use colours::{Paint, SHADES};
+
+/// A value for each pixel.
+///
+/// A value that is not a number means that there is nothing to tell; an infinite one that it is off the scale.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct HeatMap {
+    /// One line.
+    pub title: String,
+    /// A line or two of explanation.
+    pub notes: Vec<String>,
+    /// Columns and rows.
+    pub size: [usize; 2],
+    /// How values become colours.
+    pub scale: HeatScale,
+    /// The unit, as it stands over the legend.
+    pub unit: String,
+    /// What a value of 0 means, where the scale is logarithmic and has no place for it.
+    pub zero: Option<String>,
+    /// What it means if there is no value.
+    pub nothing: Option<String>,
+    /// What it means if a value is infinite.
+    pub beyond: Option<String>,
+    /// Row by row from the top.
+    pub values: Vec<f64>,
+}
+
+/// How values become colours.
+#[derive(Clone, Debug, PartialEq)]
+pub enum HeatScale {
+    /// From one value to another. What lies outside has the colour of the nearer end.
+    Linear([f64; 2]),
+    /// Likewise, by logarithms.
+    Log([f64; 2]),
+    /// Each value is the place of its name in the list, from the best to the worst; three at most are told apart.
+    Classes(Vec<String>),
+}
+
+impl Default for HeatScale {
+    fn default() -> Self {
+        Self::Linear([0.0, 1.0])
+    }
+}
+
+/// Sizes in points.
+const TITLE: f64 = 14.0;
+const TEXT: f64 = 11.5;
+const SMALL: f64 = 10.5;
+const MARGIN: f64 = 14.0;
+const LINE: f64 = 15.0;
+/// The least side of a square: smaller ones would make files large and show no more.
+const SMALLEST: f64 = 2.0;
+
+/// Draws the map with its legend.
+#[must_use]
+pub fn heat_map(map: &HeatMap, size: [f64; 2], theme: Theme) -> Drawing {
+    let palette = theme.palette();
+    let mut drawing = Drawing::new(size, palette.ground);
+    let room = heading(&mut drawing, map, palette);
+    let (frame, pixels) = squares(map, room);
+    let notes =
+        if pixels > 1 { vec![format!("each square is the worst of {pixels} × {pixels} pixels")] } else { Vec::new() };
+    paint(&mut drawing, map, palette, frame, pixels);
+    let stroke = Some(Stroke::solid(palette.faint, 1.0));
+    drawing.put(Form::Rect { frame: frame.grown(0.5), fill: None, stroke }, None);
+    let beside = Frame { low: [frame.high[0] + 18.0, frame.low[1]], high: [drawing.width - 4.0, drawing.height - 8.0] };
+    legend::draw(&mut drawing, map, palette, beside, &notes);
+    drawing
+}
+
+/// The title and the notes; returns what is left for the map.
+fn heading(drawing: &mut Drawing, map: &HeatMap, palette: &Palette) -> Frame {
+    let width = drawing.width - 2.0 * MARGIN;
+    let mut y = MARGIN + 4.0;
+    let title = shortened(&map.title, width, TITLE, Face::Bold);
+    let title = Label::new(title, TITLE, palette.ink).face(Face::Bold);
+    drawing.put(Form::Text(title.at([MARGIN, y], Anchor::Start, None)), None);
+    y += LINE + 4.0;
+    for note in &map.notes {
+        let note = Label::new(shortened(note, width, TEXT, Face::Sans), TEXT, palette.faint);
+        drawing.put(Form::Text(note.at([MARGIN, y], Anchor::Start, None)), None);
+        y += LINE;
+    }
+    let right = drawing.width - MARGIN - legend::WIDTH;
+    Frame {
+        low: [MARGIN, (y + 2.0).round()],
+        high: [right.max(MARGIN + 16.0), (drawing.height - MARGIN).max(y + 18.0)],
+    }
+}
+
+/// Where the map lies, and how many pixels of the picture go along the side of a square.
+fn squares(map: &HeatMap, room: Frame) -> (Frame, usize) {
+    let [columns, rows] = map.size.map(|count| count.max(1));
+    let [width, height] = room.size();
+    let mut pixels = 1;
+    loop {
+        let counts = [columns.div_ceil(pixels), rows.div_ceil(pixels)].map(|count| count as f64);
+        let side = (width / counts[0]).min(height / counts[1]).floor();
+        // Beyond so many pixels a square no room is too small.
+        if side >= SMALLEST || pixels > columns.max(rows) {
+            let size = counts.map(|count| count * side.max(1.0));
+            return (Frame { low: room.low, high: [room.low[0] + size[0], room.low[1] + size[1]] }, pixels);
+        }
+        pixels += 1;
+    }
+}
+
+/// All squares: those of one colour are one mark, and neighbours in a row are one ring.
+fn paint(drawing: &mut Drawing, map: &HeatMap, palette: &Palette, frame: Frame, pixels: usize) {
+    let columns = map.size[0].max(1).div_ceil(pixels);
+    let side = frame.size()[0] / columns as f64;
+    let mut rings: Vec<Vec<Vec<[f64; 2]>>> = vec![Vec::new(); Paint::COUNT];
+    for row in 0..map.size[1].div_ceil(pixels) {
+        let paints: Vec<Paint> = (0..columns).map(|column| Paint::of(map, worst(map, [column, row], pixels))).collect();
+        let mut column = 0;
+        for run in paints.chunk_by(|a, b| a == b) {
+            let [left, right] = [column, column + run.len()].map(|column| frame.low[0] + side * column as f64);
+            let [top, bottom] = [row, row + 1].map(|row| frame.low[1] + side * row as f64);
+            rings[run[0].index()].push(vec![[left, top], [right, top], [right, bottom], [left, bottom]]);
+            column += run.len();
+        }
+    }
+    for (index, rings) in rings.into_iter().enumerate() {
+        if !rings.is_empty() {
+            drawing.put(Form::Area { rings, fill: Paint::from_index(index).colour(palette) }, None);
+        }
+    }
+}
+
+/// The largest value of a square of pixels: what is off the scale is worse than any, and nothing better than any.
+fn worst(map: &HeatMap, [column, row]: [usize; 2], pixels: usize) -> f64 {
+    let range = |from: usize, end: usize| from * pixels..((from + 1) * pixels).min(end);
+    let places = range(row, map.size[1]).flat_map(|y| range(column, map.size[0]).map(move |x| y * map.size[0] + x));
+    places.filter_map(|place| map.values.get(place)).copied().fold(f64::NAN, f64::max)
+}
+
+impl HeatScale {
+    /// Where a value lies, from 0 to 1.
+    fn share(&self, value: f64) -> f64 {
+        let between = |value: f64, [low, high]: [f64; 2]| {
+            if high > low { ((value - low) / (high - low)).clamp(0.0, 1.0) } else { 0.5 }
+        };
+        match self {
+            Self::Linear(range) => between(value, *range),
+            Self::Log(range) => {
+                between(value.max(f64::MIN_POSITIVE).log10(), range.map(|end| end.max(f64::MIN_POSITIVE).log10()))
+            }
+            Self::Classes(names) => between(value, [0.0, names.len().saturating_sub(1) as f64]),
+        }
+    }
+
+    /// The place in the colours that a value has.
+    fn shade(&self, value: f64) -> usize {
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "between 0 and the number of shades"
+        )]
+        let shade = (self.share(value) * (SHADES - 1) as f64).round() as usize;
+        shade
+    }
+}
