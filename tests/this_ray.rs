@@ -55,11 +55,20 @@ fn equation(leaf: &Leaf) -> Exact {
     }
 }
 
+/// Whether the reference can work with a shape: powers are those that square roots make.
+fn is_known(equation: &Exact) -> bool {
+    let sixteenths = |exponent: f64| (16.0 * exponent).fract() == 0.0;
+    !matches!(equation, Exact::Super(n, m) if !sixteenths(*n) || !sixteenths(*m) || !sixteenths(m / n))
+}
+
 /// The times at which a line is on the surfaces of a solid: of those that bound nothing or are without bound, of their plane.
 fn exact_times(shape: &Shape, equation: &Exact, line: &Line) -> Option<Vec<Big>> {
     if let (Shape::Plane(_) | Shape::Square(_), [.., c_z]) = (shape, &line.direction) {
         let [.., z] = &line.nearest;
         return (*c_z != big(0.0)).then(|| vec![line.time(&(-z / c_z))]);
+    }
+    if !is_known(equation) {
+        return None;
     }
     Some(equation.crossings(line, 0.0)?.iter().map(|delta| line.time(delta)).collect())
 }
