@@ -39,7 +39,7 @@ fn equation(leaf: &Leaf) -> Exact {
     let axes = || [DVec3::X, DVec3::Y, DVec3::Z].into_iter().flat_map(|n| [(n, 1.0), (-n, 1.0)]).collect();
     match &leaf.shape {
         Shape::Sphere(_) => Exact::Sphere,
-        Shape::TaperedCylinder(solid) => Exact::Tapered(solid.s),
+        Shape::TaperedCylinder(solid) => Exact::Tapered(solid.s()),
         Shape::Cylinder(_) => Exact::Tapered(1.0),
         Shape::Cone(_) => Exact::Tapered(0.0),
         Shape::Cube(_) => Exact::Planes(axes()),
@@ -55,11 +55,20 @@ fn equation(leaf: &Leaf) -> Exact {
     }
 }
 
+/// Whether the reference can work with a shape: powers are those that square roots make.
+fn is_known(equation: &Exact) -> bool {
+    let sixteenths = |exponent: f64| (16.0 * exponent).fract() == 0.0;
+    !matches!(equation, Exact::Super(n, m) if !sixteenths(*n) || !sixteenths(*m) || !sixteenths(m / n))
+}
+
 /// The times at which a line is on the surfaces of a solid: of those that bound nothing or are without bound, of their plane.
 fn exact_times(shape: &Shape, equation: &Exact, line: &Line) -> Option<Vec<Big>> {
     if let (Shape::Plane(_) | Shape::Square(_), [.., c_z]) = (shape, &line.direction) {
         let [.., z] = &line.nearest;
         return (*c_z != big(0.0)).then(|| vec![line.time(&(-z / c_z))]);
+    }
+    if !is_known(equation) {
+        return None;
     }
     Some(equation.crossings(line, 0.0)?.iter().map(|delta| line.time(delta)).collect())
 }
@@ -120,7 +129,7 @@ fn digits_right_of_hit_times_are_those_that_the_reference_finds() {
                         if (known - reported).abs() > 0.5 {
                             complaints.push(format!(
                                 "{} {pixel:?} {}: t = {t} of {} has {known:.2} digits, reported {reported:.2}",
-                                scene.name(),
+                                scene.title,
                                 story.method.name(),
                                 leaf.name
                             ));
@@ -150,10 +159,10 @@ fn measuring_changes_no_event_no_number_and_no_colour() {
                         .map(|line| (line.symbol.clone(), line.numbers.to_string(), bits(&line.result)));
                     (format!("{:?}", event.what), lines.collect::<Vec<_>>())
                 };
-                assert_eq!(bare(a), bare(b), "{} {}", scene.name(), method.name());
+                assert_eq!(bare(a), bare(b), "{} {}", scene.title, method.name());
             }
             let colour = trace_pixel(&scene, pixel[0], pixel[1], &mut NullRecorder).to_array();
-            assert_eq!(measured.colour().map(f64::to_bits), colour.map(f64::to_bits), "{}", scene.name());
+            assert_eq!(measured.colour().map(f64::to_bits), colour.map(f64::to_bits), "{}", scene.title);
         }
     }
 }
@@ -219,11 +228,11 @@ fn every_method_tells_of_itself_on_every_hard_scene_and_32_digits_go_the_exact_w
             for story in &ray.stories {
                 assert_eq!((story.told.len(), story.twins.len()), (story.tree.events.len(), story.tree.events.len()));
                 assert_eq!(story.twins[0], Some(0));
-                assert!(story.told.iter().all(|told| told.lost >= 0.0 && told.lost.is_finite()), "{}", scene.name());
+                assert!(story.told.iter().all(|told| told.lost >= 0.0 && told.lost.is_finite()), "{}", scene.title);
             }
             let wide = story(&ray, Method::DoubleDouble);
-            assert_eq!(wide.parting, None, "{} {pixel:?}", scene.name());
-            assert!(wide.hit_digits().is_none_or(|digits| digits > 15.0), "{} {pixel:?}", scene.name());
+            assert_eq!(wide.parting, None, "{} {pixel:?}", scene.title);
+            assert!(wide.hit_digits().is_none_or(|digits| digits > 15.0), "{} {pixel:?}", scene.title);
         }
     }
 }

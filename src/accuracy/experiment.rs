@@ -196,21 +196,19 @@ mod tests {
     }
 
     #[test]
-    fn small_objects_are_lost_by_single_precision_alone() {
+    fn small_objects_are_found_by_all_since_rays_are_transformed_in_double_precision() {
         let cube = subject("cube").unwrap();
-        let [large, small, tiny] = [(0, 1.0), (1, 1e-6), (2, 1e-8)].map(|(k, x)| place(Question::Scale, &cube, k, x));
-        let of = |place: &Place, method| {
-            let k = Method::ALL.iter().position(|other| *other == method).unwrap();
-            (place.error[k], place.wrong[k])
-        };
-        for method in [Method::Double, Method::Adaptive] {
-            for place in [&large, &small, &tiny] {
-                let (error, wrong) = of(place, method);
-                assert!(error < 8.0 && wrong == 0.0, "{method:?} {place:?}");
+        let places = [(0, 1.0), (1, 1e-4), (2, 1e-8)].map(|(k, x)| place(Question::Scale, &cube, k, x));
+        let of = |method| Method::ALL.iter().position(|other| *other == method).unwrap();
+        for place in &places {
+            for method in [Method::Double, Method::Adaptive] {
+                assert!(place.error[of(method)] < 8.0 && place.wrong[of(method)] == 0.0, "{method:?} {place:?}");
             }
+            assert_eq!(place.wrong[of(Method::Single)], 0.0, "{place:?}");
         }
-        // Six digits of seven are gone: f32 can tell the object from its surroundings, but not where it is hit.
-        assert!(of(&large, Method::Single).1 == 0.0 && of(&tiny, Method::Single).1 > 0.5, "{large:?} {tiny:?}");
+        // At 10⁻⁸ eight of sixteen digits go into where the object stands: f32 adds little to that.
+        let errors = places.map(|place| place.error[of(Method::Single)]);
+        assert!(errors[0] > 1e7 && errors[2] < 1e4, "{errors:?}");
     }
 
     #[test]

@@ -1,16 +1,16 @@
 //! The effects of the scene: a switch for each that it calls for, what it costs, and the picture without it.
 
 use super::ledger_job::LedgerJob;
-use super::renderer::SAMPLING;
 use super::theme::{Palette, bold};
+use super::thumbnail::{difference, texture, thumbnail};
 use super::workbench::OpenScene;
 use crate::ledger::{Ledger, Price, Row};
 use crate::record::Effect;
 use crate::scene::{Effects, Reason, Scene, reasons};
 use crate::trace::Picture;
 use egui::{
-    Align, Checkbox, Color32, ColorImage, Context, Grid, Label, Layout, Rect, RichText, ScrollArea, Sense, Stroke,
-    StrokeKind, TextureHandle, Ui, Vec2, Window, pos2, vec2,
+    Align, Checkbox, Context, Grid, Label, Layout, RichText, ScrollArea, Sense, Stroke, StrokeKind, TextureHandle, Ui,
+    Window, pos2, vec2,
 };
 use std::sync::Arc;
 
@@ -129,8 +129,9 @@ impl EffectsWindow {
         ));
         price(ui, row.price);
         if let Some((without, difference, largest)) = pictures {
-            small(ui, without, "The picture without it");
-            small(ui, difference, &format!("How far each pixel differs; the brightest differs by {largest} of 255"));
+            thumbnail(ui, without, SMALL, "The picture without it");
+            let meaning = format!("How far each pixel differs; the brightest differs by {largest} of 255");
+            thumbnail(ui, difference, SMALL, &meaning);
         }
         switched.then(|| switch(effects, effect, is_on))
     }
@@ -180,19 +181,6 @@ fn price(ui: &mut Ui, price: Option<Price>) {
     ui.painter().text(at, anchor, percent, egui::FontId::proportional(11.0), ink);
 }
 
-/// A small picture with its meaning as a tooltip.
-fn small(ui: &mut Ui, texture: &TextureHandle, meaning: &str) {
-    let size = texture.size_vec2();
-    let (rect, response) = ui.allocate_exact_size(vec2(SMALL, SMALL * size.y / size.x.max(1.0)), Sense::hover());
-    let whole = Rect::from_min_size(pos2(0.0, 0.0), Vec2::splat(1.0));
-    ui.painter().image(texture.id(), rect, whole, Color32::WHITE);
-    ui.painter().rect_stroke(rect, 0.0, Stroke::new(1.0, Palette::current(ui.ctx()).edge), StrokeKind::Outside);
-    response.on_hover_ui(|ui| {
-        ui.label(meaning);
-        ui.image((texture.id(), vec2(3.0 * SMALL, 3.0 * SMALL * size.y / size.x.max(1.0))));
-    });
-}
-
 /// The effects that the scene does not call for: none of their code runs.
 fn idle_effects(ui: &mut Ui, idle: &[Reason]) {
     if idle.is_empty() {
@@ -209,13 +197,6 @@ fn idle_effects(ui: &mut Ui, idle: &[Reason]) {
 /// The picture without an effect, how it differs from the whole one, and by how much at most.
 fn textures(ctx: &Context, whole: &Picture, row: &Row) -> Option<(TextureHandle, TextureHandle, u8)> {
     let without = row.without.as_ref()?;
-    let (a, b) = (whole.to_rgb8(), without.to_rgb8());
-    let differences: Vec<u8> = a.iter().zip(&b).map(|(a, b)| a.abs_diff(*b)).collect();
-    let largest = differences.iter().copied().max().unwrap_or(0);
-    // A difference of a few steps would look black: all are drawn as parts of the largest.
-    let scaled = |d: &u8| u8::try_from(u32::from(*d) * 255 / u32::from(largest.max(1))).unwrap_or(u8::MAX);
-    let differences: Vec<u8> = differences.iter().map(scaled).collect();
-    let size = [without.width as usize, without.height as usize];
-    let load = |name: &str, bytes: &[u8]| ctx.load_texture(name, ColorImage::from_rgb(size, bytes), SAMPLING);
-    Some((load("without", &b), load("difference", &differences), largest))
+    let (difference, largest) = difference(ctx, without, whole);
+    Some((texture(ctx, "without", without), difference, largest))
 }

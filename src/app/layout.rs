@@ -50,6 +50,7 @@ impl Workbench {
         }
         self.panels(ui, rest);
         self.effects_window(&ui.ctx().clone());
+        self.accuracy_window(&ui.ctx().clone());
     }
 
     fn top_bar(&mut self, ui: &mut Ui, bar: Rect) {
@@ -61,6 +62,7 @@ impl Workbench {
             Some(top_bar::Action::Choose(Choice::OpenFile)) => self.dialog.open(ui.ctx()),
             Some(top_bar::Action::Record(pixel)) => self.record(pixel),
             Some(top_bar::Action::Effects) => self.toggle_effects(),
+            Some(top_bar::Action::Accuracy) => self.toggle_accuracy(),
             None => {}
         }
     }
@@ -69,6 +71,13 @@ impl Workbench {
         let chosen = self.open.as_ref().and_then(|open| self.effects.ui(ctx, open));
         if let Some(effects) = chosen {
             self.switch(ctx, effects);
+        }
+    }
+
+    fn accuracy_window(&mut self, ctx: &Context) {
+        let wish = self.open.as_ref().and_then(|open| self.accuracy.ui(ctx, open, self.recording.as_ref()));
+        if let Some(wish) = wish {
+            self.grant(ctx, wish);
         }
     }
 
@@ -145,11 +154,13 @@ impl Workbench {
     }
 }
 
-/// The effects that are switched off, in words.
+/// How the scene is looked at, and the effects that are switched off, in words.
 fn left_out(open: &OpenScene) -> String {
-    let off = |effect: &Effect| open.whole.effects.has(*effect) && !open.scene.effects.has(*effect);
+    let called = open.looked_at().effects;
+    let off = |effect: &Effect| called.has(*effect) && !open.scene.effects.has(*effect);
     let names: Vec<&str> = Effect::ALL.into_iter().filter(off).map(Effect::name).collect();
-    if names.is_empty() { String::new() } else { format!(" · without {}", names.join(", ")) }
+    let without = if names.is_empty() { String::new() } else { format!(" · without {}", names.join(", ")) };
+    open.look.as_ref().map_or_else(String::new, |look| format!(" · {}", look.name)) + &without
 }
 
 /// How far the picture is, in words.

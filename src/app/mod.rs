@@ -4,6 +4,12 @@
 //! here computes anything about rays: it shows what [`trace`](crate::trace) recorded and what [`view`](crate::view)
 //! made of it.
 
+mod accuracy_chart;
+mod accuracy_image;
+mod accuracy_point;
+mod accuracy_ray;
+mod accuracy_window;
+mod background;
 mod canvas;
 mod detail_panel;
 mod effects_window;
@@ -25,6 +31,7 @@ mod side_panel;
 mod split;
 mod stepper;
 mod theme;
+mod thumbnail;
 mod toolbar;
 mod top_bar;
 mod tree_panel;
@@ -35,7 +42,7 @@ pub use layout::Shares;
 pub use outline::Outline;
 pub use recording::{HitMark, Recording};
 pub use stepper::Step;
-pub use workbench::{OpenScene, Problem, Workbench};
+pub use workbench::{Look, OpenScene, Problem, Workbench};
 
 use crate::folder::Outside;
 

@@ -4,6 +4,7 @@ use super::outline::Outline;
 use super::stepper::Step;
 use crate::record::{EventId, RayKind, What};
 use crate::scene::Scene;
+use crate::shape::Method;
 use crate::trace::{RayTree, record_pixel};
 use glam::DVec3;
 use std::sync::Arc;
@@ -43,6 +44,8 @@ pub struct Recording {
     pub outline: Outline,
     /// All hits, in the order in which they happened.
     pub hits: Vec<HitMark>,
+    /// The method that hits were found by, where it is not the scene's own.
+    pub by: Option<Method>,
     selected: EventId,
     /// Whether the selection moved since the tree panel last scrolled to it.
     pub selection_moved: bool,
@@ -52,11 +55,14 @@ impl Recording {
     /// Records a pixel.
     #[must_use]
     pub fn new(scene: &Arc<Scene>, pixel: [u32; 2]) -> Self {
-        let tree = record_pixel(scene, pixel[0], pixel[1]);
-        let outline = Outline::new(&tree);
-        let hits = hits(&tree);
-        let (scene, tree) = (Arc::clone(scene), Arc::new(tree));
-        Self { pixel, scene, tree, outline, hits, selected: 0, selection_moved: true }
+        Self::of_tree(Arc::clone(scene), pixel, Arc::new(record_pixel(scene, pixel[0], pixel[1])), None)
+    }
+
+    /// A pixel that was recorded elsewhere, by a method that may not be the scene's own.
+    #[must_use]
+    pub fn of_tree(scene: Arc<Scene>, pixel: [u32; 2], tree: Arc<RayTree>, by: Option<Method>) -> Self {
+        let (outline, hits) = (Outline::new(&tree), hits(&tree));
+        Self { pixel, scene, tree, outline, hits, by, selected: 0, selection_moved: true }
     }
 
     /// The selected event: the step of the story at which all panels stand.

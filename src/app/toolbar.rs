@@ -23,11 +23,12 @@ pub fn ui(ui: &mut Ui, recording: Option<&mut Recording>) {
     }
 }
 
-/// `step 12 of 148`, counted from 1.
+/// `step 12 of 148`, counted from 1, and by which method, if not by the scene's own.
 #[must_use]
 pub fn position(recording: Option<&Recording>) -> String {
-    recording
-        .map_or_else(String::new, |recording| format!("step {} of {}", recording.selected() + 1, recording.tree.end()))
+    let Some(recording) = recording else { return String::new() };
+    let by = recording.by.map_or_else(String::new, |method| format!("by {} · ", method.name()));
+    format!("{by}step {} of {}", recording.selected() + 1, recording.tree.end())
 }
 
 fn buttons(ui: &mut Ui, moves: &[(Step, Option<u32>)]) -> Option<Step> {

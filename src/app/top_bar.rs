@@ -61,6 +61,8 @@ pub enum Action {
     Record([u32; 2]),
     /// The window of the effects, to be shown or hidden.
     Effects,
+    /// The window of what accuracy costs, likewise.
+    Accuracy,
 }
 
 /// Shows the bar.
@@ -73,7 +75,7 @@ pub fn ui(ui: &mut Ui, menu: &SceneMenu, open: Option<&OpenScene>, recorded: Opt
     let line = |salt: &str, rect: egui::Rect| {
         UiBuilder::new().id_salt(salt.to_owned()).max_rect(rect).layout(Layout::left_to_right(Align::Center))
     };
-    let mut effects = false;
+    let mut window = None;
     let chosen = ui
         .scope_builder(line("upper", upper.shrink2(vec2(MARGIN, 4.0))), |ui| {
             ui.label(RichText::new("rayscope").size(17.0).family(bold()).color(palette.accent));
@@ -83,7 +85,10 @@ pub fn ui(ui: &mut Ui, menu: &SceneMenu, open: Option<&OpenScene>, recorded: Opt
                 theme_menu(ui);
                 let button =
                     ui.button("Effects").on_hover_text("What the scene calls for, and what each effect costs.");
-                effects = button.clicked();
+                window = button.clicked().then_some(Action::Effects);
+                let button =
+                    ui.button("Accuracy").on_hover_text("What accuracy costs in time, of this image and of this ray.");
+                window = button.clicked().then_some(Action::Accuracy).or(window.take());
                 ui.with_layout(Layout::left_to_right(Align::Center), |ui| title(ui, open));
             });
             chosen
@@ -94,8 +99,7 @@ pub fn ui(ui: &mut Ui, menu: &SceneMenu, open: Option<&OpenScene>, recorded: Opt
             open.and_then(|open| about(ui, open, recorded))
         })
         .inner;
-    let effects = effects.then_some(Action::Effects);
-    chosen.map(Action::Choose).or(pixel.map(Action::Record)).or(effects)
+    chosen.map(Action::Choose).or(pixel.map(Action::Record)).or(window)
 }
 
 fn title(ui: &mut Ui, open: Option<&OpenScene>) {

@@ -1,5 +1,6 @@
 //! The state of the workbench: what is open, what is recorded, what is selected.
 
+use super::accuracy_window::{AccuracyWindow, Wish};
 use super::effects_window::EffectsWindow;
 use super::file_dialog::FileDialog;
 use super::image_panel::ImagePanel;
@@ -12,7 +13,7 @@ use super::side_panel::SidePanel;
 use super::theme;
 use crate::folder::{Outside, files_of_scene};
 use crate::record::EventId;
-use crate::scene::{Effects, EmbeddedScene, Scene, embedded_scene, embedded_scenes, load_with};
+use crate::scene::{Effects, EmbeddedScene, Profile, Scene, embedded_scene, embedded_scenes, load_with};
 use egui::Context;
 use std::path::Path;
 use std::sync::Arc;
@@ -25,6 +26,17 @@ pub struct OpenScene {
     pub scene: Arc<Scene>,
     /// The scene as it was loaded, with all effects that it calls for.
     pub whole: Arc<Scene>,
+    /// How it is looked at, if not as it stands.
+    pub look: Option<Look>,
+}
+
+/// A way to look at a scene.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Look {
+    /// Its settings in words.
+    pub name: String,
+    /// Its settings.
+    pub profile: Profile,
 }
 
 /// Why a scene could not be opened.
@@ -34,6 +46,14 @@ pub struct Problem {
     pub name: String,
     /// Everything that is wrong with it.
     pub text: String,
+}
+
+impl OpenScene {
+    /// The whole scene in the way that it is looked at.
+    #[must_use]
+    pub fn looked_at(&self) -> Scene {
+        self.look.as_ref().map_or_else(|| Scene::clone(&self.whole), |look| self.whole.with_profile(&look.profile))
+    }
 }
 
 /// The state of the workbench.
@@ -48,6 +68,7 @@ pub struct Workbench {
     pub(super) side: SidePanel,
     pub(super) plots: PlotsPanel,
     pub(super) effects: EffectsWindow,
+    pub(super) accuracy: AccuracyWindow,
     pub(super) shares: Shares,
     outside: Outside,
 }
@@ -68,6 +89,7 @@ impl Workbench {
             side: SidePanel::default(),
             plots: PlotsPanel::default(),
             effects: EffectsWindow::default(),
+            accuracy: AccuracyWindow::default(),
             shares: Shares::default(),
             outside,
         };
@@ -111,8 +133,9 @@ impl Workbench {
         let middle = [scene.image.width / 2, scene.image.height / 2];
         let pixel = scene.pixels.first().copied().unwrap_or(middle);
         self.effects.reset();
+        self.accuracy.reset();
         let whole = Arc::clone(&scene);
-        self.open = Some(OpenScene { name: name.to_owned(), scene, whole });
+        self.open = Some(OpenScene { name: name.to_owned(), scene, whole, look: None });
         self.record(pixel);
     }
 
@@ -131,16 +154,52 @@ impl Workbench {
     /// Switches effects on and off: the picture is rendered and the pixel recorded anew.
     pub(super) fn switch(&mut self, ctx: &Context, effects: Effects) {
         let Some(open) = &mut self.open else { return };
-        open.scene = Arc::new(open.whole.with_effects(effects));
+        open.scene = Arc::new(open.looked_at().with_effects(effects));
+        self.renew(ctx);
+    }
+
+    /// Looks at the scene in another way, or as it stands. All effects that it then calls for are on.
+    pub fn look(&mut self, ctx: &Context, look: Option<Look>) {
+        let Some(open) = &mut self.open else { return };
+        open.look = look;
+        open.scene = Arc::new(open.looked_at());
+        self.renew(ctx);
+    }
+
+    /// Renders the picture and records the pixel anew.
+    fn renew(&mut self, ctx: &Context) {
+        let Some(open) = &self.open else { return };
         self.renderer.start(ctx, &open.scene);
         if let Some(pixel) = self.recording.as_ref().map(|recording| recording.pixel) {
             self.record(pixel);
         }
     }
 
+    /// Does what the accuracy window asks for.
+    pub(super) fn grant(&mut self, ctx: &Context, wish: Wish) {
+        match wish {
+            Wish::Look(name, profile) => self.look(ctx, Some(Look { name, profile })),
+            Wish::AsItStands => self.look(ctx, None),
+            Wish::Story(method, tree, event) => {
+                let Some(recording) = &self.recording else { return };
+                let is_shown = recording.by == Some(method) && *recording.tree == *tree;
+                if !is_shown {
+                    let (scene, pixel) = (Arc::clone(&recording.scene), recording.pixel);
+                    self.recording = Some(Recording::of_tree(scene, pixel, tree, Some(method)));
+                }
+                self.select(event);
+            }
+        }
+    }
+
     /// Shows or hides the window of the effects.
     pub fn toggle_effects(&mut self) {
         self.effects.is_open = !self.effects.is_open;
+    }
+
+    /// Shows or hides the window of what accuracy costs.
+    pub fn toggle_accuracy(&mut self) {
+        self.accuracy.is_open = !self.accuracy.is_open;
     }
 
     /// The scene that is open.

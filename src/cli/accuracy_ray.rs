@@ -3,9 +3,9 @@
 use super::failure::Failure;
 use super::output::Output;
 use super::progress::stopped_by_ctrl_c;
-use crate::cpu_time::cpu_time;
+use crate::cpu_time;
 use crate::laboratory::{
-    Number, OutlineRow, Story, Taken, Target, ThisRay, Timing, this_ray, this_ray_text, time_methods,
+    Number, OutlineRow, Story, Target, ThisRay, Timing, Told, this_ray, this_ray_text, time_methods,
 };
 use crate::scene::{Image, Scene};
 use crate::trace::RayTree;
@@ -13,7 +13,6 @@ use crate::view;
 use clap::ValueEnum;
 use serde::Serialize;
 use std::path::Path;
-use std::time::Instant;
 
 /// How often each method is timed.
 const REPEATS: u32 = 15;
@@ -33,12 +32,8 @@ pub fn report(scene: &Scene, target: Target, format: Format, output: Option<&Pat
     let output = Output::create(output)?;
     let progress = stopped_by_ctrl_c();
     let ray = this_ray(scene, target);
-    let mut clock = |work: &mut (dyn FnMut() -> u64 + Send)| {
-        let began = Instant::now();
-        let (worked, _) = cpu_time(work);
-        Taken { worked, wall: began.elapsed() }
-    };
-    let timings = time_methods(scene, target, &mut clock, REPEATS, &|| progress.cancelled());
+    let mut stopwatch = cpu_time::taken;
+    let timings = time_methods(scene, target, &mut stopwatch, REPEATS, &|| progress.cancelled());
     if progress.cancelled() {
         return Err(Failure::interrupted("interrupted: nothing was written"));
     }
@@ -144,7 +139,7 @@ fn method(story: &Story, timing: &Timing, exact: &RayTree) -> MethodFile {
 }
 
 fn event(row: &OutlineRow) -> EventFile {
-    let told = |told: &Option<(u32, &crate::laboratory::Told)>| {
+    let told = |told: &Option<(u32, &Told)>| {
         told.map(|(event, told)| ToldFile {
             event,
             digits: told.right,

@@ -112,14 +112,16 @@ impl Trace {
     }
 }
 
-pub(super) fn pixel(text: &str) -> Result<[u32; 2], String> {
+/// Column and row of a pixel.
+pub fn pixel(text: &str) -> Result<[u32; 2], String> {
     let numbers: Option<Vec<u32>> = text.split(',').map(|number| number.trim().parse().ok()).collect();
     numbers
         .and_then(|numbers| numbers.try_into().ok())
         .ok_or_else(|| "expected a column and a row such as 320,240, counted from 0".to_owned())
 }
 
-pub(super) fn ray(text: &str) -> Result<[DVec3; 2], String> {
+/// Origin and direction of a ray.
+pub fn ray(text: &str) -> Result<[DVec3; 2], String> {
     let numbers: Option<Vec<f64>> = text.split(',').map(|number| number.trim().parse().ok()).collect();
     let numbers: [f64; 6] = numbers
         .and_then(|numbers| numbers.try_into().ok())

@@ -116,7 +116,7 @@ impl Knob {
             Self::LensSamples => called(Effect::DepthOfField),
             Self::Wavelengths => called(Effect::Dispersion),
             Self::Depth | Self::Contribution => sends,
-            Self::Octaves => called(Effect::SolidTextures) || called(Effect::Bumps) || called(Effect::Frames),
+            Self::Octaves => has_octaves(scene),
             Self::Filter => called(Effect::ImageTextures),
             Self::Bump => called(Effect::Bumps),
         }
@@ -165,6 +165,14 @@ impl Knob {
                 .to_vec(),
         }
     }
+}
+
+/// Whether any noise has more octaves than one.
+fn has_octaves(scene: &Scene) -> bool {
+    let one = Profile { octaves: Some(1), ..Profile::STANDARD };
+    let coats =
+        [Effect::SolidTextures, Effect::Bumps, Effect::Frames].into_iter().any(|effect| scene.effects.has(effect));
+    coats && scene.with_profile(&one).materials != scene.materials
 }
 
 fn has_superellipsoid(scene: &Scene) -> bool {

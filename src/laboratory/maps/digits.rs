@@ -21,13 +21,15 @@ pub fn digits_map(scene: &Scene, progress: &Progress) -> Option<HeatMap> {
         let hit = |solving| first_hit(scene, solving, origin, direction);
         lost(hit(scene.solving), hit(truth), digits)
     })?;
+    // As far as the worst pixel goes, so that it stands out.
+    let worst = values.iter().copied().filter(|lost| lost.is_finite()).fold(0.0, f64::max);
     Some(HeatMap {
         title: format!("Digits lost, {}", scene.solving.method.name()),
         notes: vec![format!(
             "Of the {digits:.1} digits of the hit time of the ray through each pixel's middle, against 32 digits."
         )],
         size: size(scene.image),
-        scale: HeatScale::Linear([0.0, digits]),
+        scale: HeatScale::Linear([0.0, worst.ceil().max(1.0)]),
         unit: "digits".to_owned(),
         nothing: Some("nothing is hit".to_owned()),
         beyond: Some("a hit is lost or made up".to_owned()),

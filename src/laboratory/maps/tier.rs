@@ -3,6 +3,7 @@
 use super::{of_each_pixel, size};
 use crate::record::{Certificate, Counter, Entry, Recorder, What};
 use crate::scene::Scene;
+use crate::shape::Method;
 use crate::trace::{Progress, trace_pixel};
 use crate::view::{HeatMap, HeatScale};
 
@@ -21,12 +22,17 @@ pub fn tier_map(scene: &Scene, progress: &Progress) -> Option<HeatMap> {
             Some(Certificate::Undecidable) => 2.0,
         }
     })?;
-    let classes = [Certificate::Certain, Certificate::Fallback, Certificate::Undecidable];
+    // Only one method has something to fall back on.
+    let doubtful = match scene.solving.method {
+        Method::Adaptive => Certificate::Fallback.name(),
+        _ => "unsure, with nothing to fall back on",
+    };
+    let classes = [Certificate::Certain.name(), doubtful, Certificate::Undecidable.name()];
     Some(HeatMap {
         title: "What it took to be sure".to_owned(),
         notes: vec!["The least sure answer that any solver gave to any ray of the pixel.".to_owned()],
         size: size(scene.image),
-        scale: HeatScale::Classes(classes.map(|class| class.name().to_owned()).to_vec()),
+        scale: HeatScale::Classes(classes.map(str::to_owned).to_vec()),
         values,
         ..HeatMap::default()
     })

@@ -1,6 +1,6 @@
 //! How right a number is.
 
-use crate::record::{Event, Value, What, Working};
+use crate::record::{Candidate, CandidateFate, Event, Value, What, Working};
 
 /// A number of an event.
 #[derive(Clone, Debug, PartialEq)]
@@ -84,7 +84,11 @@ pub fn numbers(event: &Event, twin: Option<&Event>, is_inherited: bool, reach: f
     }
     let mut numbers: Vec<_> =
         event.working.iter().filter_map(|line| of_line(line, twin, is_inherited, reach)).collect();
-    if let Some(twin) = twin.filter(|_| !is_working(&event.what)) {
+    if let (What::Roots { candidates }, Some(What::Roots { candidates: truths })) =
+        (&event.what, twin.map(|twin| &twin.what))
+    {
+        numbers.extend(of_hits(candidates, truths, reach));
+    } else if let Some(twin) = twin.filter(|_| !is_working(&event.what)) {
         let truths = twin.what.quantities();
         for quantity in event.what.quantities().into_iter().filter(|quantity| !quantity.name.ends_with("error")) {
             let Some(truth) = truths.iter().find(|truth| truth.name == quantity.name) else { continue };
@@ -95,7 +99,21 @@ pub fn numbers(event: &Event, twin: Option<&Event>, is_inherited: bool, reach: f
     numbers
 }
 
-/// `t`, `t₁`, `t₂`, or a list's `candidates 2 t`.
+/// The times that are kept and their points, in order. Which others were looked at is up to the solver.
+fn of_hits(candidates: &[Candidate], truths: &[Candidate], reach: f64) -> Vec<Number> {
+    let kept = |list: &[Candidate]| {
+        let kept = list.iter().filter(|candidate| candidate.fate == CandidateFate::Accepted);
+        kept.map(|candidate| (candidate.t, candidate.point)).collect::<Vec<_>>()
+    };
+    let pairs = kept(candidates).into_iter().zip(kept(truths));
+    let numbers = (1..).zip(pairs).map(|(k, ((t, point), (true_t, true_point)))| {
+        let time = Number::compared(&format!("hit {k} t"), &[t], &[true_t], reach);
+        [time, Number::compared(&format!("hit {k} point"), &point, &true_point, 0.0)]
+    });
+    numbers.flatten().collect()
+}
+
+/// `t`, `t₁`, `t₂`, or one of several, such as `hit 2 t`.
 fn is_time(name: &str) -> bool {
     name.rsplit(' ').next().is_some_and(|last| matches!(last, "t" | "t₁" | "t₂"))
 }
@@ -155,8 +173,27 @@ mod tests {
     }
 
     #[test]
+    fn hits_are_compared_in_their_order_whatever_else_a_solver_looked_at() {
+        let candidate = |t: f64, fate| Candidate {
+            t,
+            part: String::new(),
+            sense: crate::record::Sense::Enter,
+            point: [t, 1.0, 0.0],
+            fate,
+            reason: String::new(),
+        };
+        use CandidateFate::{Accepted, Rejected};
+        let found = [candidate(2.0, Accepted), candidate(4.0, Accepted)];
+        let truths =
+            [candidate(1.0, Rejected), candidate(2.0, Accepted), candidate(3.0, Rejected), candidate(4.4, Accepted)];
+        let numbers = of_hits(&found, &truths, 0.0);
+        let told: Vec<_> = numbers.iter().map(|number| (number.name.as_str(), number.digits() > 10.0)).collect();
+        assert_eq!(told, [("hit 1 t", true), ("hit 1 point", true), ("hit 2 t", false), ("hit 2 point", false)]);
+    }
+
+    #[test]
     fn hit_times_are_told_from_other_numbers_by_their_name() {
-        assert!(is_time("t") && is_time("t₂") && is_time("candidates 2 t") && is_time("combined 1 enter t"));
+        assert!(is_time("t") && is_time("t₂") && is_time("hit 2 t") && is_time("combined 1 enter t"));
         assert!(!is_time("point") && !is_time("n_t") && !is_time("st"));
     }
 }

@@ -1,7 +1,7 @@
 //! The tree of a ray as an outline, with what every method has right.
 
 use super::{Story, ThisRay, Told};
-use crate::record::{Event, EventId};
+use crate::record::{Event, EventId, What};
 
 /// A row: an event of the exact tree.
 #[derive(Clone, Debug)]
@@ -60,7 +60,6 @@ fn of_exact(story: &Story, count: usize) -> Vec<Option<EventId>> {
 
 /// Whether it would be missed: a hit or what follows from it.
 fn has_numbers_by_itself(event: &Event) -> bool {
-    use crate::record::What;
     matches!(
         event.what,
         What::Hit { .. } | What::Ray { .. } | What::Colour { .. } | What::Roots { .. } | What::Nothing { .. }

@@ -95,7 +95,7 @@ fn spoken(what: &What) -> Option<String> {
         | What::Moved { .. }
         | What::Object { .. }
         | What::Primitive { .. } => return None,
-        What::Roots { .. } => "there are hit times".to_owned(),
+        What::Roots { .. } => "the ray comes near enough to be tested".to_owned(),
         What::Rejected { object, part, reason, .. } => format!("the {part} of {object} does not count ({reason})"),
         What::Hit { object, part, .. } => format!("the {part} of {object} is hit"),
         What::Nothing { .. } => "nothing is in front".to_owned(),

@@ -1,9 +1,9 @@
 //! The lane of the points that have no error at all: there only the time counts, so that they are stacked in rows.
 
-use super::FrontierPlot;
 use super::cluster::{Cluster, PITCH, clusters};
-use super::marker::RADIUS;
+use super::marker::{RADIUS, RING, bar};
 use super::scale::LogScale;
+use super::{FrontierPlot, PlotPoint};
 use crate::view::drawing::{Anchor, Frame, Spot};
 
 /// A label in the lane, with the points it stands for.
@@ -75,6 +75,14 @@ impl Stand {
     }
 }
 
+/// From where to where a point is drawn, but for the marker's own radius.
+fn reach(point: &PlotPoint, x: &LogScale, whole: Frame) -> [f64; 2] {
+    let at = x.at(point.seconds);
+    let ring = if point.is_standard { RING - RADIUS } else { 0.0 };
+    let [low, high] = bar(x, [whole.low[0], whole.high[0]], point).unwrap_or([at, at]);
+    [low.min(at - ring), high.max(at + ring)]
+}
+
 /// A row of the lane.
 struct Row {
     taken: Vec<[f64; 2]>,
@@ -84,8 +92,8 @@ struct Row {
 /// Puts labels in rows, the slowest first, each in the first row that is free there.
 fn rows(mut clusters: Vec<Cluster>, plot: &FrontierPlot, x: &LogScale, whole: Frame) -> (Vec<LaneLabel>, f64) {
     let ends = |cluster: &Cluster| {
-        let at = cluster.members.iter().map(|&k| x.at(plot.points[k].seconds));
-        at.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], at| [low.min(at), high.max(at)])
+        let reaches = cluster.members.iter().map(|&k| reach(&plot.points[k], x, whole));
+        reaches.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], end| [low.min(end[0]), high.max(end[1])])
     };
     clusters.sort_by(|a, b| ends(b)[1].total_cmp(&ends(a)[1]).then(a.members.cmp(&b.members)));
     let mut rows: Vec<Row> = Vec::new();

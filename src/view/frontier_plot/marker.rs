@@ -1,7 +1,8 @@
 //! The points themselves: their shapes, their error bars, the thin lines through the settings of a knob, and the frontier.
 
 use super::paper::Paper;
-use super::{FrontierPlot, Layout};
+use super::scale::LogScale;
+use super::{FrontierPlot, Layout, PlotPoint};
 use crate::view::drawing::{Form, Spot, Stroke};
 use crate::view::palette::{Colour, Palette};
 use std::f64::consts::{PI, TAU};
@@ -156,7 +157,8 @@ pub fn staircase(plot: &FrontierPlot, layout: &Layout) -> Vec<Spot> {
 fn error_bar(paper: &mut Paper, layout: &Layout, k: usize) {
     let point = &paper.plot.points[k];
     let Some([_, y]) = layout.spots[k] else { return };
-    let Some([low, high]) = bar(layout, point) else { return };
+    let sides = [layout.field.low[0], layout.field.high[0]];
+    let Some([low, high]) = bar(&layout.x, sides, point) else { return };
     let colour = colour(point.group, paper.palette).mixed(paper.palette.faint, 0.5);
     let stroke = Stroke::solid(colour, 1.1);
     paper.put(Form::Line { points: vec![[low, y], [high, y]], stroke }, Some(k));
@@ -165,10 +167,9 @@ fn error_bar(paper: &mut Paper, layout: &Layout, k: usize) {
     }
 }
 
-/// The ends of a point's error bar.
-pub fn bar(layout: &Layout, point: &super::PlotPoint) -> Option<[f64; 2]> {
-    let inside = |x: f64| x.clamp(layout.field.low[0], layout.field.high[0]);
+/// The ends of a point's error bar, within the field's sides.
+pub fn bar(x: &LogScale, [left, right]: [f64; 2], point: &PlotPoint) -> Option<[f64; 2]> {
     let ends = [point.seconds - point.spread, point.seconds + point.spread]
-        .map(|value| if value > 0.0 { inside(layout.x.at(value)) } else { layout.field.low[0] });
+        .map(|value| if value > 0.0 { x.at(value).clamp(left, right) } else { left });
     (point.spread > 0.0 && ends[1] - ends[0] > 2.6 * RADIUS).then_some(ends)
 }

@@ -20,6 +20,7 @@ use cluster::Cluster;
 use paper::Paper;
 use scale::LogScale;
 pub(super) use scale::error;
+pub use scale::seconds;
 
 /// What is to be plotted.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -55,7 +55,8 @@ impl LogScale {
     }
 }
 
-/// A time with a unit that suits it: `50 ms`.
+/// A time with two digits and a unit that suits it: `50 ms`.
+#[must_use]
 pub fn seconds(value: f64) -> String {
     let (scaled, unit) = match value {
         v if v < 0.999e-6 => (v * 1e9, "ns"),

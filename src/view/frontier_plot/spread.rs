@@ -150,8 +150,9 @@ impl<'a> Field<'a> {
         let mut lines: Vec<([Spot; 2], f64)> = Vec::new();
         let stairs = staircase(plot, layout);
         lines.extend(stairs.windows(2).map(|ends| ([ends[0], ends[1]], ON_FRONTIER)));
+        let sides = [layout.field.low[0], layout.field.high[0]];
         for &k in &shown {
-            if let (Some([low, high]), Some([_, y])) = (bar(layout, &plot.points[k]), layout.spots[k]) {
+            if let (Some([low, high]), Some([_, y])) = (bar(&layout.x, sides, &plot.points[k]), layout.spots[k]) {
                 lines.push(([[low, y], [high, y]], ON_BAR));
             }
         }

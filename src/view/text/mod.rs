@@ -12,8 +12,8 @@ mod texture_row;
 mod tree;
 
 pub use detail::{Detail, DetailLine, detail};
-pub use format::{brief, brief_vector, span_list};
-pub(super) use format::{count, degrees, significant};
+pub use format::{brief, brief_vector, significant, span_list};
+pub(super) use format::{count, degrees};
 pub use row::{Row, row};
 pub(super) use texture_row::{angle_between, place, solid_angle, spoken};
 pub use tree::tree_text;

@@ -1,0 +1,94 @@
+//! What accuracy costs in time: of the whole image, and of the selected ray.
+
+use super::accuracy_image::ImageScope;
+use super::accuracy_ray::RayScope;
+use super::recording::Recording;
+use super::workbench::OpenScene;
+use crate::record::EventId;
+use crate::scene::Profile;
+use crate::shape::Method;
+use crate::trace::RayTree;
+use egui::{Context, RichText, Ui, Window};
+use std::sync::Arc;
+
+/// What the window looks at.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+enum Scope {
+    #[default]
+    Image,
+    Ray,
+}
+
+/// What is asked of the workbench.
+pub enum Wish {
+    /// To show the scene with these settings; of this name.
+    Look(String, Profile),
+    /// To show the scene as it stands.
+    AsItStands,
+    /// To show what the ray did by a method, from this event on.
+    Story(Method, Arc<RayTree>, EventId),
+}
+
+/// What the window remembers between frames.
+#[derive(Default)]
+pub struct AccuracyWindow {
+    /// Whether it is shown.
+    pub is_open: bool,
+    scope: Scope,
+    image: ImageScope,
+    ray: RayScope,
+}
+
+impl AccuracyWindow {
+    /// Forgets everything: the scene has changed.
+    pub fn reset(&mut self) {
+        *self = Self { is_open: self.is_open, scope: self.scope, ..Self::default() };
+    }
+
+    /// Shows the window, if it is open; returns what is asked for.
+    pub fn ui(&mut self, ctx: &Context, open: &OpenScene, recording: Option<&Recording>) -> Option<Wish> {
+        if !self.is_open {
+            self.image.pause();
+            self.ray.pause();
+            return None;
+        }
+        let mut is_open = true;
+        let mut wish = None;
+        Window::new("Accuracy")
+            .open(&mut is_open)
+            .default_pos([120.0, 92.0])
+            .default_size([1080.0, 620.0])
+            .min_size([720.0, 420.0])
+            .show(ctx, |ui| wish = self.contents(ui, open, recording));
+        self.is_open = is_open;
+        wish
+    }
+
+    fn contents(&mut self, ui: &mut Ui, open: &OpenScene, recording: Option<&Recording>) -> Option<Wish> {
+        let mut wish = None;
+        ui.horizontal(|ui| {
+            ui.selectable_value(&mut self.scope, Scope::Image, "This image");
+            ui.selectable_value(&mut self.scope, Scope::Ray, "This ray");
+            ui.separator();
+            let state = match self.scope {
+                Scope::Image => self.image.state(),
+                Scope::Ray => self.ray.state(recording),
+            };
+            ui.label(RichText::new(state).weak());
+            if let Some(look) = &open.look {
+                ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+                    let tip = format!("The picture is shown with {}.", look.name);
+                    if ui.button("Back to the scene as it stands").on_hover_text(tip).clicked() {
+                        wish = Some(Wish::AsItStands);
+                    }
+                });
+            }
+        });
+        ui.add_space(2.0);
+        let asked = match self.scope {
+            Scope::Image => self.image.ui(ui, open),
+            Scope::Ray => self.ray.ui(ui, open, recording),
+        };
+        wish.or(asked)
+    }
+}

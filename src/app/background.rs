@@ -1,0 +1,98 @@
+//! Work that is done behind the window's back and brings its results as it goes.
+
+use crate::trace::Progress;
+use egui::Context;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::time::Instant;
+
+/// Dropping it cancels the work.
+pub struct Background<T> {
+    progress: Arc<Progress>,
+    latest: Arc<Mutex<Latest<T>>>,
+    began: Instant,
+}
+
+struct Latest<T> {
+    result: Option<T>,
+    finished: bool,
+}
+
+impl<T> Drop for Background<T> {
+    fn drop(&mut self) {
+        self.progress.cancel();
+    }
+}
+
+impl<T: Send + 'static> Background<T> {
+    /// Begins to work in a thread of this name; none where no thread can be started. The work hands over each result as it
+    /// comes.
+    pub fn start(
+        ctx: &Context,
+        name: &str,
+        work: impl FnOnce(&Progress, &mut dyn FnMut(T)) + Send + 'static,
+    ) -> Option<Self> {
+        let latest = Arc::new(Mutex::new(Latest { result: None, finished: false }));
+        let job = Self { progress: Arc::default(), latest, began: Instant::now() };
+        let (ctx, progress, latest) = (ctx.clone(), Arc::clone(&job.progress), Arc::clone(&job.latest));
+        let all = move || {
+            work(&progress, &mut |result| {
+                lock(&latest).result = Some(result);
+                ctx.request_repaint();
+            });
+            lock(&latest).finished = true;
+            ctx.request_repaint();
+        };
+        std::thread::Builder::new().name(name.to_owned()).spawn(all).ok()?;
+        Some(job)
+    }
+
+    /// The newest result, if it was not taken yet.
+    pub fn take(&self) -> Option<T> {
+        lock(&self.latest).result.take()
+    }
+
+    /// Whether all work is done.
+    pub fn is_finished(&self) -> bool {
+        lock(&self.latest).finished
+    }
+
+    /// How many pixels it has finished.
+    pub fn done(&self) -> usize {
+        self.progress.done()
+    }
+
+    /// How long it has been at work, in seconds.
+    pub fn seconds(&self) -> f64 {
+        self.began.elapsed().as_secs_f64()
+    }
+}
+
+/// A thread that died while it held the lock left a whole result behind: each is put there in one move.
+fn lock<T>(latest: &Mutex<Latest<T>>) -> MutexGuard<'_, Latest<T>> {
+    latest.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::sync::mpsc::channel;
+
+    #[test]
+    fn dropping_the_job_cancels_the_work() {
+        let (sender, receiver) = channel();
+        let (begin, begun) = channel();
+        let work = move |progress: &Progress, publish: &mut dyn FnMut(u8)| {
+            publish(1);
+            begin.send(()).unwrap();
+            while !progress.cancelled() {
+                std::thread::yield_now();
+            }
+            sender.send(progress.cancelled()).unwrap();
+        };
+        let job = Background::start(&Context::default(), "test", work).unwrap();
+        begun.recv().unwrap();
+        assert_eq!((job.take(), job.take(), job.is_finished()), (Some(1), None, false));
+        drop(job);
+        assert_eq!(receiver.recv(), Ok(true));
+    }
+}
