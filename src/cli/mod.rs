@@ -1,7 +1,6 @@
 //! The command line: one file for each command.
 
 mod accuracy;
-mod accuracy_map;
 mod accuracy_ray;
 mod bench;
 mod drawn;

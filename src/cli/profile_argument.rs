@@ -14,6 +14,11 @@ pub struct ProfileArgument {
 }
 
 impl ProfileArgument {
+    /// Whether there is one.
+    pub const fn is_given(&self) -> bool {
+        self.accuracy.is_some()
+    }
+
     /// The scene, looked at as the profile says.
     pub fn apply(&self, scene: Scene) -> Result<Scene, Failure> {
         match &self.accuracy {

@@ -40,7 +40,7 @@ pub fn errors(picture: &Picture, truth: &Picture) -> Errors {
         rmse: root_mean_square(&differences),
         p999: largest[covered - 1],
         wrong_pixels,
-        dissimilarity: dissimilarity(bytes, [picture.width, picture.height]),
+        dissimilarity: dissimilarity(&bytes, [picture.width, picture.height]),
     }
 }
 
@@ -68,7 +68,7 @@ pub(super) fn difference(a: Rgb, b: Rgb) -> [f64; 3] {
 }
 
 /// The mean over the channels.
-fn dissimilarity(bytes: [Vec<u8>; 2], [width, height]: [u32; 2]) -> f64 {
+fn dissimilarity(bytes: &[Vec<u8>; 2], [width, height]: [u32; 2]) -> f64 {
     let channel = |k: usize| {
         let [a, b] = [0, 1].map(|picture: usize| {
             let values = bytes[picture].iter().skip(k).step_by(3).copied().collect();

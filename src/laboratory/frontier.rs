@@ -59,9 +59,7 @@ pub fn frontier(standings: &[Standing]) -> Vec<bool> {
             kept.push(k);
         }
     }
-    let mut on = vec![false; standings.len()];
-    kept.into_iter().for_each(|k| on[k] = true);
-    on
+    (0..standings.len()).map(|k| kept.contains(&k)).collect()
 }
 
 impl Timing {

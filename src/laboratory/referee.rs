@@ -48,14 +48,9 @@ impl Referee {
     }
 
     /// Adds pictures until it is much surer than what these are off by, or so many seconds are used.
-    pub fn improve<'a>(
-        &mut self,
-        bench: &mut Bench,
-        seconds: f64,
-        pictures: impl Iterator<Item = &'a Picture> + Clone,
-    ) {
+    pub fn improve(&mut self, bench: &mut Bench, seconds: f64, pictures: &[&Picture]) {
         let mut used = 0.0;
-        while is_random(&self.scene) && !self.is_surer_than(pictures.clone()) {
+        while is_random(&self.scene) && !self.is_surer_than(pictures) {
             let Some(taken) = self.add_picture(bench) else { return };
             used += taken;
             if used + taken > seconds {
@@ -64,9 +59,9 @@ impl Referee {
         }
     }
 
-    fn is_surer_than<'a>(&self, pictures: impl Iterator<Item = &'a Picture>) -> bool {
+    fn is_surer_than(&self, pictures: &[&Picture]) -> bool {
         let Some(mean) = self.sums.mean() else { return false };
-        let least = pictures.map(|picture| rmse(picture, &mean)).fold(f64::INFINITY, f64::min);
+        let least = pictures.iter().map(|picture| rmse(picture, &mean)).fold(f64::INFINITY, f64::min);
         self.sums.error() <= SURER * least
     }
 

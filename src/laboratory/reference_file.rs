@@ -45,7 +45,7 @@ impl Sums {
         let mut bytes = format!("{FORMAT}{name}\n").into_bytes();
         bytes.extend([self.width, self.height, self.count].iter().flat_map(|number| number.to_le_bytes()));
         let colours = self.colours.iter().chain(&self.squares);
-        bytes.extend(colours.flat_map(|colour| colour.to_array()).flat_map(f64::to_le_bytes));
+        bytes.extend(colours.flat_map(Rgb::to_array).flat_map(f64::to_le_bytes));
         let sum = checksum(&bytes);
         bytes.extend(sum.to_le_bytes());
         bytes

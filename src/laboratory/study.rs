@@ -16,7 +16,7 @@ use super::subject::{Subject, add, narrowed, subjects};
 use super::timing::{FEWEST_REPEATS, Repeat};
 use super::{Answer, Earlier, Plan, Reference, Study, Timing, Tools};
 use crate::scene::{Image, Scene};
-use crate::trace::render;
+use crate::trace::{Picture, render};
 
 /// What came of a study.
 #[derive(Clone, Debug, PartialEq)]
@@ -93,9 +93,9 @@ pub fn study(scene: &Scene, plan: &Plan, earlier: Option<&Earlier>, tools: Tools
     }
     let rendered = subjects.iter_mut().map_while(|subject| bench.warm_up(subject)).count();
     subjects.truncate(rendered.max(1));
-    let pictures = subjects.iter().filter_map(|subject| subject.picture.as_ref());
-    pictures.clone().next()?;
-    referee.improve(&mut bench, REFERRING * plan.budget, pictures);
+    let pictures: Vec<&Picture> = subjects.iter().filter_map(|subject| subject.picture.as_ref()).collect();
+    pictures.first()?;
+    referee.improve(&mut bench, REFERRING * plan.budget, &pictures);
     let reference = referee.finish(store)?;
     judge(&mut subjects, &reference);
     let mut studying = Studying { scene: sized, whole: scene.image, plan, bench, subjects, reference, watch };

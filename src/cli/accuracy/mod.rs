@@ -5,32 +5,33 @@ mod csv;
 mod data;
 mod figures;
 mod instructions;
+mod map;
 mod plot;
 mod resume;
 mod table;
 
-use super::accuracy_map::{self, Map};
 use super::accuracy_ray;
 use super::drawn::Theme;
 use super::failure::{Failure, warn};
 use super::output::Output;
+use super::profile_argument::ProfileArgument;
 use super::progress::{stopped_by_ctrl_c, with_bar};
 use super::scene_argument::SceneArgument;
 use super::trace;
 use crate::cpu_time;
-use crate::laboratory::{Answer, Earlier, Goal, Knob, Plan, Run, Target, Tools, study};
+use crate::laboratory::{Answer, Earlier, Goal, Knob, MapKind, Plan, Run, Target, Tools, narrowed, study};
 use crate::scene::Scene;
 use cache::{Cache, load_identified};
 use clap::{ArgGroup, Args, ValueEnum};
 use glam::DVec3;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::time::Instant;
 
 /// Show what accuracy costs in time: every setting with its seconds and its error
 #[derive(Args, Debug)]
 #[command(
+    group = ArgGroup::new("drawing").args(["plot", "map"]).multiple(true),
     group = ArgGroup::new("goal").args(["for_time", "for_error"]).multiple(true),
-    group = ArgGroup::new("drawn").args(["plot", "map"]).multiple(true),
     after_help = "\
 Examples:
   rayscope accuracy lights/soft_shadows                        the table, within half a minute
@@ -42,6 +43,7 @@ Examples:
   rayscope accuracy lens/focus --resume run.json --format json -o run.json
                                                                more repeats of the same
   rayscope accuracy hard/far_torus --pixel 160,120             one ray: the digits that each method has right
+  rayscope accuracy csg/bowl --map tier -o tier.png            what it took to be sure, pixel by pixel
 
 Each setting is one knob at one value, all else being as the scene says. Its picture is compared with a reference that has
 every knob at its best; where chance decides, the reference is the mean of several pictures, and its own error is stated. Times are
@@ -79,8 +81,8 @@ pub struct Accuracy {
     /// Also draw error against seconds; the ending says whether as .svg or .png
     #[arg(long, value_name = "FILE", value_parser = plot::file)]
     plot: Option<PathBuf>,
-    /// Colours of the plot or the map
-    #[arg(long, value_enum, default_value_t = Theme::Light, requires = "drawn")]
+    /// Colours of the plot or map
+    #[arg(long, value_enum, default_value_t = Theme::Light, requires = "drawing")]
     theme: Theme,
     /// Ask for the closest whole picture within this time of one thread
     #[arg(long, value_name = "TIME", value_parser = seconds)]
@@ -103,27 +105,23 @@ pub struct Accuracy {
     /// Also count the instructions of each setting, by running this program under perf or valgrind
     #[arg(long)]
     instructions: bool,
-    /// Instead of all this: a map of the picture, pixel by pixel, in a file that ends in .svg or .png
-    #[arg(long, value_enum, conflicts_with_all = NOT_MAPPED)]
-    map: Option<Map>,
+    /// Instead of all this: a map of the picture, as .svg or .png by the ending of -o
+    #[arg(long, value_name = "KIND", value_parser = map_parser(), conflicts_with_all = STUDY)]
+    map: Option<String>,
+    #[command(flatten)]
+    profile_of_map: ProfileArgument,
     /// Instead of all this: one ray by every method, with the digits right of every number, through this pixel of the scene
-    #[arg(long, value_name = "X,Y", value_parser = trace::pixel, conflicts_with_all = STUDY)]
+    #[arg(long, value_name = "X,Y", value_parser = trace::pixel, conflicts_with_all = STUDY, conflicts_with_all = ["width", "map"])]
     pixel: Option<[u32; 2]>,
     /// The same for a ray of your own: origin and direction
     #[arg(long, value_name = "OX,OY,OZ,DX,DY,DZ", value_parser = trace::ray, allow_hyphen_values = true,
-          conflicts_with_all = STUDY, conflicts_with = "pixel")]
+          conflicts_with_all = STUDY, conflicts_with_all = ["width", "map", "pixel"])]
     ray: Option<[DVec3; 2]>,
 }
 
-/// What means nothing for a map.
-const NOT_MAPPED: [&str; 10] =
-    ["knob", "single", "format", "plot", "for_time", "for_error", "profile", "resume", "instructions", "pixel"];
-
-/// What is of a whole picture, and means nothing for one ray.
-const STUDY: [&str; 14] = [
-    "map",
+/// What is of a whole study, and means nothing for one ray or one map.
+const STUDY: [&str; 12] = [
     "budget",
-    "width",
     "knob",
     "single",
     "seed",
@@ -167,22 +165,21 @@ impl Accuracy {
     /// Measures and writes.
     pub fn run(&self) -> Result<(), Failure> {
         let pixel = self.pixel.map(Target::Pixel);
-        match pixel.or(self.ray.map(Target::Ray)) {
-            Some(target) => self.run_ray(target),
-            None => self.map.map_or_else(|| self.run_study(), |map| self.run_map(map)),
+        if self.map.is_none() && self.profile_of_map.is_given() {
+            return Err(Failure::usage("--accuracy says what is mapped: give --map, too; a study tries all settings"));
+        }
+        let kind = self.map.as_deref().and_then(|name| MapKind::ALL.into_iter().find(|kind| kind.name() == name));
+        match (pixel.or(self.ray.map(Target::Ray)), kind) {
+            (Some(target), _) => self.run_ray(target),
+            (None, Some(kind)) => self.run_map(kind),
+            (None, None) => self.run_study(),
         }
     }
 
-    fn run_map(&self, map: Map) -> Result<(), Failure> {
-        let named = self.output.as_deref().and_then(Path::to_str).map(plot::file);
-        let Some(Ok(path)) = named else {
-            return Err(Failure::usage("a map is a drawing; name a file that ends in .svg or .png with -o"));
-        };
-        let (scene, identity) = load_identified(&self.scene)?;
-        let output = Output::create(Some(&path))?;
-        let plan = Plan { knobs: Vec::new(), combines: false, ..self.plan(None)? };
-        let map = accuracy_map::mapped(map, &scene, self.width, || self.measure(&scene, identity, &plan, None))?;
-        output.write(&accuracy_map::drawn(&map, self.theme, &path))
+    fn run_map(&self, kind: MapKind) -> Result<(), Failure> {
+        let plain = narrowed(&self.scene.load()?, self.width);
+        let scene = self.profile_of_map.apply(plain.clone())?;
+        map::write(kind, [&scene, &plain], self.theme, self.output.as_deref())
     }
 
     fn run_ray(&self, target: Target) -> Result<(), Failure> {
@@ -287,6 +284,10 @@ fn milliseconds(seconds: f64) -> usize {
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a budget of years is cut off")]
     let milliseconds = (1000.0 * seconds).max(0.0) as usize;
     milliseconds
+}
+
+fn map_parser() -> clap::builder::PossibleValuesParser {
+    MapKind::ALL.map(MapKind::name).into()
 }
 
 fn knob_parser() -> clap::builder::PossibleValuesParser {
