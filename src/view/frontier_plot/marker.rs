@@ -73,7 +73,10 @@ pub fn colour(group: Option<usize>, palette: &Palette) -> Colour {
     group.map_or(palette.ink, |group| palette.categories[group % palette.categories.len()])
 }
 
-/// A shape about a place: with the seven colours no two of the first 84 groups look alike.
+/// How many shapes there are: one for each knob, one for combinations, one for what belongs to no group.
+const SHAPES: usize = 14;
+
+/// A shape about a place.
 fn outline(shape: usize, at: Spot) -> Vec<Spot> {
     let polar = |radius: f64, angle: f64| [at[0] + radius * angle.sin(), at[1] - radius * angle.cos()];
     let regular = |corners: u32, radius: f64, turn: f64| {
@@ -86,7 +89,7 @@ fn outline(shape: usize, at: Spot) -> Vec<Spot> {
         };
         (0..2 * points).map(corner).collect()
     };
-    match shape % 12 {
+    match shape % SHAPES {
         0 => regular(24, 1.0, 0.0),
         1 => regular(4, 1.2, PI / 4.0),
         2 => regular(4, 1.3, 0.0),
@@ -98,7 +101,11 @@ fn outline(shape: usize, at: Spot) -> Vec<Spot> {
         8 => regular(6, 1.15, 0.0),
         9 => regular(3, 1.35, PI / 2.0),
         10 => regular(3, 1.35, -PI / 2.0),
-        _ => star(4, 0.5, 0.0),
+        11 => star(4, 0.5, 0.0),
+        12 => star(6, 0.75, 0.0),
+        _ => [[-1.0, -1.0], [1.0, -1.0], [-1.0, 1.0], [1.0, 1.0]]
+            .map(|corner| std::array::from_fn(|i| at[i] + 1.1 * RADIUS * corner[i]))
+            .to_vec(),
     }
 }
 
@@ -172,4 +179,19 @@ pub fn bar(x: &LogScale, [left, right]: [f64; 2], point: &PlotPoint) -> Option<[
     let ends = [point.seconds - point.spread, point.seconds + point.spread]
         .map(|value| if value > 0.0 { x.at(value).clamp(left, right) } else { left });
     (point.spread > 0.0 && ends[1] - ends[0] > 2.6 * RADIUS).then_some(ends)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_group_up_to_the_last_shape_has_one_of_its_own() {
+        let shapes: Vec<_> = (0..SHAPES).map(|shape| outline(shape, [0.0, 0.0])).collect();
+        for (k, shape) in shapes.iter().enumerate() {
+            assert!(shapes[..k].iter().all(|other| other != shape), "{k}");
+            let reach = shape.iter().map(|corner| corner[0].hypot(corner[1])).fold(0.0, f64::max);
+            assert!((0.9..1.7).contains(&(reach / RADIUS)), "{k}: {reach}");
+        }
+    }
 }
