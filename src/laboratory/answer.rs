@@ -2,6 +2,7 @@
 
 use super::{Point, Study};
 use crate::scene::Profile;
+use std::cmp::Ordering;
 
 /// What is asked.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -53,17 +54,19 @@ impl Goal {
         (!is_met, order)
     }
 
-    /// The best of what was measured; none if nothing was. `scale` is how many times as many pixels the whole picture
-    /// has as those that were measured.
+    /// What was measured, the best first. `scale` is how many times as many pixels the whole picture has as those that were
+    /// measured.
     #[must_use]
-    pub fn answer(self, study: &Study, scale: f64) -> Option<Answer> {
+    pub fn ranked(self, study: &Study, scale: f64) -> Vec<Answer> {
         let all = std::iter::once(&study.standard).chain(&study.points).filter(|point| !point.is_control());
-        let told = all.filter_map(|point| Some((scale * point.timing.told()?, point)));
-        let rank = |(seconds, point): &(f64, &Point)| self.rank(*seconds, point.errors.rmse);
-        let (seconds, point) = told.min_by(|a, b| {
-            let ((missed_a, a), (missed_b, b)) = (rank(a), rank(b));
-            missed_a.cmp(&missed_b).then(a[0].total_cmp(&b[0])).then(a[1].total_cmp(&b[1]))
-        })?;
+        let mut answers: Vec<Answer> = all.filter_map(|point| self.answer(point, scale)).collect();
+        answers.sort_by(Answer::compare);
+        answers.dedup_by(|a, b| a.profile == b.profile);
+        answers
+    }
+
+    fn answer(self, point: &Point, scale: f64) -> Option<Answer> {
+        let seconds = scale * point.timing.told()?;
         Some(Answer {
             goal: self,
             is_met: self.is_met(seconds, point.errors.rmse),
@@ -73,6 +76,22 @@ impl Goal {
             spread: scale * point.timing.spread,
             error: point.errors.rmse,
         })
+    }
+}
+
+impl Answer {
+    /// The better one is the smaller one.
+    #[must_use]
+    pub fn compare(&self, other: &Self) -> Ordering {
+        let [(missed, a), (other_missed, b)] =
+            [self, other].map(|answer| answer.goal.rank(answer.seconds, answer.error));
+        missed.cmp(&other_missed).then(a[0].total_cmp(&b[0])).then(a[1].total_cmp(&b[1]))
+    }
+
+    /// The same with other figures.
+    #[must_use]
+    pub fn with_figures(self, seconds: f64, spread: f64, error: f64) -> Self {
+        Self { seconds, spread, error, is_met: self.goal.is_met(seconds, error), ..self }
     }
 }
 
@@ -115,7 +134,7 @@ mod tests {
     }
 
     fn samples(goal: Goal, scale: f64) -> (Option<u32>, bool) {
-        let answer = goal.answer(&study(), scale).unwrap();
+        let answer = goal.ranked(&study(), scale).remove(0);
         (answer.profile.samples, answer.is_met)
     }
 
@@ -142,6 +161,6 @@ mod tests {
     fn noise_is_no_answer() {
         let mut study = study();
         study.points[1].timing.noise = Some(super::super::Noise::Spread(0.5));
-        assert_eq!(Goal::Time(5.0).answer(&study, 1.0).unwrap().profile.samples, Some(4));
+        assert_eq!(Goal::Time(5.0).ranked(&study, 1.0)[0].profile.samples, Some(4));
     }
 }

@@ -37,7 +37,7 @@ impl<'a> Bench<'a> {
     }
 
     /// Time on the measured thread.
-    fn time(&mut self, work: &mut (dyn FnMut() -> u64 + Send)) -> Taken {
+    pub fn time(&mut self, work: &mut (dyn FnMut() -> u64 + Send)) -> Taken {
         let stopwatch = &mut *self.stopwatch;
         let taken = self.pool.install(|| stopwatch.time(work));
         self.spent += taken.wall.as_secs_f64();

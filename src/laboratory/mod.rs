@@ -26,6 +26,7 @@ mod study;
 mod subject;
 mod this_ray;
 mod timing;
+mod whole;
 
 pub use answer::{Answer, Goal};
 pub use combination::{Base, Prediction, Step, predictions};

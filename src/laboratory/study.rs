@@ -6,6 +6,7 @@
 //! 4. The reference is made better, until it is much surer than what is compared with it, or its share of the budget is used.
 //! 5. All are timed in turn, again and again.
 //! 6. What should do well together is rendered and timed, too, until every time is sure or the budget is used.
+//! 7. What answers the questions is looked at in the size of the whole picture.
 
 use super::bench::Bench;
 use super::proposal::proposals;
@@ -14,6 +15,7 @@ use super::reference::reference_scene;
 use super::results::{judge, results};
 use super::subject::{Subject, add, narrowed, subjects};
 use super::timing::{FEWEST_REPEATS, Repeat};
+use super::whole::checked;
 use super::{Answer, Earlier, Plan, Reference, Study, Timing, Tools};
 use crate::scene::{Image, Scene};
 use crate::trace::{Picture, render};
@@ -58,6 +60,12 @@ const REFERRING: f64 = 0.3;
 
 /// The share of the budget after which combinations have their turn.
 const SINGLES: f64 = 0.7;
+
+/// The share of the budget in which answers are looked at in the whole picture's size.
+const CHECKING: f64 = 0.15;
+
+/// So many are looked at for each goal.
+const TRIES: usize = 3;
 
 /// How often combinations are proposed: each time more is known of how they do.
 const PASSES: usize = 3;
@@ -145,7 +153,28 @@ impl Studying<'_, '_> {
                 break;
             }
         }
-        self.time_until(1.0);
+        self.time_until(if self.plan.goals.is_empty() { 1.0 } else { 1.0 - CHECKING });
+    }
+
+    /// The best answers, looked at in the whole picture's size. Where the best one does not hold there, the next ones are tried.
+    fn answers(&mut self, study: &Study) -> Vec<Answer> {
+        let (scale, plan) = (self.scale(), self.plan);
+        let seconds = CHECKING * plan.budget / (plan.goals.len().max(1) * TRIES) as f64;
+        let whole = Scene { image: self.whole, ..self.scene.clone() };
+        let mut answers = Vec::new();
+        for goal in &plan.goals {
+            let mut tried: Vec<Answer> = Vec::new();
+            for answer in goal.ranked(study, scale).into_iter().take(TRIES) {
+                let checked = if scale > 1.0 { checked(answer, &whole, &mut self.bench, seconds) } else { answer };
+                let is_met = checked.is_met;
+                tried.push(checked);
+                if is_met {
+                    break;
+                }
+            }
+            answers.extend(tried.into_iter().min_by(Answer::compare));
+        }
+        answers
     }
 
     fn is_over(&self) -> bool {
@@ -208,11 +237,10 @@ impl Studying<'_, '_> {
         results(&self.subjects, &self.reference, &self.bench).0
     }
 
-    fn finish(self, warnings: Vec<String>) -> Run {
+    fn finish(mut self, warnings: Vec<String>) -> Run {
         let (study, repeats) = results(&self.subjects, &self.reference, &self.bench);
-        let scale = self.scale();
         Run {
-            answers: self.plan.goals.iter().filter_map(|goal| goal.answer(&study, scale)).collect(),
+            answers: self.answers(&study),
             study,
             repeats,
             pinned_timing: self.bench.pinned_timing(),

@@ -48,7 +48,7 @@ impl Subject {
 }
 
 /// How much work a picture was: its rays and their tests.
-fn work_of(tally: &Tally) -> u64 {
+pub(super) fn work_of(tally: &Tally) -> u64 {
     let rays: u64 = RayKind::ALL.iter().map(|&kind| tally.rays(kind)).sum();
     let tests: u64 = tally.shape_tests().iter().map(|(_, count)| count).sum();
     rays + tests + tally.extent_tests()

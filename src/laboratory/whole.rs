@@ -1,0 +1,63 @@
+//! What holds for a small picture need not hold for the whole one: where a pixel covers less of a texture, filters have less to do.
+//! So an answer is looked at in the whole picture's own size, by one pixel in so many.
+
+use super::bench::Bench;
+use super::errors::rmse;
+use super::reference::{Sums, is_random, reference_scene};
+use super::timing::Repeat;
+use super::{Answer, Timing};
+use crate::scene::Scene;
+use crate::trace::{Picture, Progress, render_rows};
+
+/// One pixel of so many by so many is traced, and for comparison one of twice as many: what a picture takes beyond its
+/// pixels is in both. Fewer pixels miss what is small; more take time from the study.
+const STEP: u32 = 8;
+
+/// How often each is timed.
+const REPEATS: u32 = 5;
+
+/// Pictures of the reference where chance decides: it errs by half of what one of them does.
+const PICTURES: u32 = 4;
+
+/// The answer with figures of the whole picture; as it is where these would take more than so many seconds, or are lost in noise.
+pub(super) fn checked(answer: Answer, scene: &Scene, bench: &mut Bench, seconds: f64) -> Answer {
+    let share = 1.0 / f64::from(STEP * STEP);
+    if f64::from(2 * REPEATS) * share * answer.seconds > seconds || bench.progress.cancelled() {
+        return answer;
+    }
+    let looked_at = scene.with_profile(&answer.profile);
+    let [fine, coarse] = [STEP, 2 * STEP].map(|step| time(&looked_at, step, bench));
+    let ([Some(a), Some(b)], false) = ([fine.told(), coarse.told()], bench.progress.cancelled()) else { return answer };
+    // Both have the same beginnings, and the pixels of one are four times those of the other.
+    let each = (a - b) / (0.75 * share);
+    let whole = a + (1.0 - share) * each;
+    let error = rmse(&sparse(&looked_at, STEP).0, &reference(scene));
+    let spread = fine.spread / a * whole;
+    if whole > 0.0 { answer.with_figures(whole, spread, error) } else { answer }
+}
+
+fn time(scene: &Scene, step: u32, bench: &mut Bench) -> Timing {
+    let resolution = bench.resolution;
+    let repeats: Vec<Repeat> = (0..REPEATS)
+        .map(|_| {
+            let taken = bench.time(&mut || sparse(scene, step).1);
+            Repeat { seconds: taken.worked.as_secs_f64(), waiting: taken.waiting() }
+        })
+        .collect();
+    Timing::of(&repeats, |seconds| if resolution > 0.0 { seconds / resolution } else { f64::INFINITY })
+}
+
+/// One pixel of each square, which has its colour.
+fn sparse(scene: &Scene, step: u32) -> (Picture, u64) {
+    let progress = Progress::new();
+    let (picture, tally) = render_rows(scene, step, &progress, |_, _| progress.cancel());
+    (picture, super::subject::work_of(&tally))
+}
+
+fn reference(scene: &Scene) -> Picture {
+    let mut sums = Sums::new(scene.image.width, scene.image.height);
+    for number in 0..if is_random(scene) { PICTURES } else { 1 } {
+        sums.add(&sparse(&reference_scene(scene, number), STEP).0);
+    }
+    sums.mean().unwrap_or_else(|| sparse(scene, STEP).0)
+}
