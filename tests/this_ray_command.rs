@@ -49,7 +49,7 @@ fn a_ray_of_ones_own_is_told_as_text() {
 fn what_makes_no_sense_for_one_ray_is_refused() {
     for (arguments, part) in [
         (&["hello/sphere", "--pixel", "640,0"][..], "the last one is 639,479"),
-        (&["hello/sphere", "--pixel", "3,4", "--format", "csv"], "CSV is for settings"),
+        (&["hello/sphere", "--pixel", "3,4", "--format", "csv"], "not as csv"),
         (&["hello/sphere", "--pixel", "3,4", "--knob", "depth"], "cannot be used with"),
         (&["hello/sphere", "--pixel", "3"], "expected a column and a row"),
     ] {
