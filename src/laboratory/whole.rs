@@ -22,7 +22,7 @@ const PICTURES: u32 = 4;
 /// The answer with figures of the whole picture; as it is where these would take more than so many seconds, or are lost in noise.
 pub(super) fn checked(answer: Answer, scene: &Scene, bench: &mut Bench, seconds: f64) -> Answer {
     let share = 1.0 / f64::from(STEP * STEP);
-    if f64::from(2 * REPEATS) * share * answer.seconds > seconds || bench.progress.cancelled() {
+    if 1.25 * f64::from(REPEATS) * share * answer.seconds > seconds || bench.progress.cancelled() {
         return answer;
     }
     let looked_at = scene.with_profile(&answer.profile);
