@@ -109,7 +109,7 @@ fn a_method_tells_its_story_from_the_first_event_that_is_not_as_it_should_be() {
     assert!(bench.query_by_label(&expected.reason).is_some(), "{}", expected.reason);
     press(&mut bench, "textbook");
     let recording = workbench(&bench).recording().expect("a pixel is recorded");
-    assert_eq!((recording.pixel, recording.by), (pixel, Some(Method::Single)));
+    assert_eq!((recording.pixel, recording.by), (pixel, Some(Method::Textbook)));
     assert_eq!(recording.selected(), expected.event);
     assert!(bench.query_by_label_contains("by textbook · step ").is_some());
 }

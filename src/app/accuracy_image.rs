@@ -8,7 +8,7 @@ use super::workbench::OpenScene;
 use crate::cpu_time;
 use crate::laboratory::{MapKind, NoStore, Plan, Study, Tools, study};
 use crate::scene::Scene;
-use egui::{Rect, ScrollArea, Ui, UiBuilder, vec2};
+use egui::{Align, Button, Layout, Rect, ScrollArea, Ui, UiBuilder, vec2};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
@@ -69,6 +69,13 @@ impl ImageScope {
             for (kind, name, tip) in MAPS {
                 ui.selectable_value(&mut self.view, View::Map(kind), name).on_hover_text(tip);
             }
+            ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+                let again = ui.add_enabled(self.job.is_none(), Button::new("Measure again"));
+                if again.on_hover_text("For times that were lost in noise: when the machine has less to do.").clicked()
+                {
+                    *self = Self { chosen: self.chosen.take(), view: self.view, ..Self::default() };
+                }
+            });
         });
         let whole = ui.available_rect_before_wrap();
         let (left, right) = whole.split_left_right_at_x(whole.right() - COLUMN);

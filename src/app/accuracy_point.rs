@@ -77,6 +77,8 @@ fn named(ui: &mut Ui, point: &Point, is_chosen: bool) -> Response {
 fn meaning(point: &Point) -> &'static str {
     if point.is_control() {
         "A control: it must change nothing but the time."
+    } else if point.timing.told().is_none() {
+        "Its time is lost in noise: the machine was busy with other things."
     } else if point.on_frontier {
         "On the frontier: nothing that was measured is both faster and closer."
     } else {

@@ -83,13 +83,11 @@ impl RayScope {
             wish = methods(ui, &known, recording);
             ui.add_space(12.0);
             let told = known.ray.stories.iter().find(|story| Some(story.method) == recording.by);
-            match told {
-                Some(story) => wish = losses(ui, story, recording).or(wish.take()),
-                None => {
-                    let words =
-                        "Choose a method: its story is shown, from the first event on that is not as it should be.";
-                    ui.label(RichText::new(words).weak());
-                }
+            if let Some(story) = told {
+                wish = losses(ui, story, recording).or(wish.take());
+            } else {
+                let words = "Choose a method: its story is shown, from the first event on that is not as it should be.";
+                ui.label(RichText::new(words).weak());
             }
         });
         wish

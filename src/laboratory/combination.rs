@@ -60,10 +60,10 @@ impl Partial {
         (self.left * base.error.powi(2) + self.added).max(base.least.powi(2))
     }
 
-    /// With one more setting; none if that asks for something else of the same thing.
+    /// With one more setting; none if that asks for something else of the same thing, or for nothing more.
     fn with(&self, index: usize, step: &Step, base: &Base) -> Option<Self> {
         let profile = self.profile.or(step.setting.profile);
-        if profile != step.setting.profile.or(self.profile) {
+        if profile != step.setting.profile.or(self.profile) || profile == self.profile {
             return None;
         }
         let mut with = self.clone();

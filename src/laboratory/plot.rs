@@ -9,8 +9,8 @@ const COMBINATIONS: &str = "combinations";
 /// The plot of a study. Its first point is the scene as it stands; the others follow in the study's order.
 #[must_use]
 pub fn plot(study: &Study, scene_name: &str) -> FrontierPlot {
-    let names = Knob::ALL.map(Knob::name).into_iter().chain([COMBINATIONS]);
-    let groups: Vec<&str> = names.filter(|name| study.points.iter().any(|point| group_of(point) == *name)).collect();
+    // All of them, whatever the scene asks for: a knob looks the same in every plot.
+    let groups: Vec<&str> = Knob::ALL.map(Knob::name).into_iter().chain([COMBINATIONS]).collect();
     let plotted = |point: &Point| PlotPoint {
         name: point.plain_name(),
         group: groups.iter().position(|group| *group == group_of(point)),

@@ -64,7 +64,7 @@ impl<const N: usize> Float<N> {
             return Self { class: Class::Infinite, negative, ..Self::ZERO };
         }
         let bits = x.abs().to_bits();
-        let (fraction, exponent) = (bits & ((1 << 52) - 1), (bits >> 52) as i64);
+        let (fraction, exponent) = (bits & ((1 << 52) - 1), (bits >> 52).cast_signed());
         // x = whole · 2 to the power of exponent − 1075; subnormal numbers have no leading one and count as the next exponent.
         let (whole, exponent) = if exponent == 0 { (fraction, 1) } else { (fraction | 1 << 52, exponent) };
         Self::rounded(negative, exponent - 1075 + 64, &mut [whole])

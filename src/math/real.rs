@@ -53,6 +53,7 @@ pub trait Real:
         Precise::narrow(self.widen())
     }
     /// The nearest number of this type, or next to it.
+    #[must_use]
     fn from_exact(exact: Precise) -> Self {
         Self::narrow(exact.widen())
     }

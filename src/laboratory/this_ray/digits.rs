@@ -174,6 +174,7 @@ mod tests {
 
     #[test]
     fn hits_are_compared_in_their_order_whatever_else_a_solver_looked_at() {
+        use CandidateFate::{Accepted, Rejected};
         let candidate = |t: f64, fate| Candidate {
             t,
             part: String::new(),
@@ -182,7 +183,6 @@ mod tests {
             fate,
             reason: String::new(),
         };
-        use CandidateFate::{Accepted, Rejected};
         let found = [candidate(2.0, Accepted), candidate(4.0, Accepted)];
         let truths =
             [candidate(1.0, Rejected), candidate(2.0, Accepted), candidate(3.0, Rejected), candidate(4.4, Accepted)];

@@ -1,5 +1,6 @@
 //! The legend: which sign is which knob, and what else the drawing says.
 
+use super::PlotPoint;
 use super::marker::{Look, RADIUS, sign};
 use super::paper::{MARGIN, Paper, SMALL};
 use crate::view::drawing::{Anchor, Form, Spot, Stroke};
@@ -32,13 +33,14 @@ pub fn stands_beside(width: f64) -> bool {
 /// The entries that the plot has a use for.
 fn entries(paper: &Paper) -> Vec<(Sign, String)> {
     let points = &paper.plot.points;
+    let is_beaten = |point: &PlotPoint| !point.on_frontier && !point.noisy && !point.is_control;
     let has_group = |group: usize| points.iter().any(|point| point.group == Some(group));
     let groups = paper.plot.groups.iter().enumerate().filter(|(k, _)| has_group(*k));
     let mut entries: Vec<_> = groups.map(|(k, name)| (Sign::Group(k), name.clone())).collect();
     let others = [
         (points.iter().any(|point| point.is_standard), Sign::Standard, "the scene as it stands"),
         (points.iter().any(|point| point.on_frontier), Sign::Frontier, "the frontier"),
-        (points.iter().any(|point| !point.on_frontier), Sign::Beaten, "beaten in time and error"),
+        (points.iter().any(is_beaten), Sign::Beaten, "beaten in time and error"),
         (points.iter().any(|point| point.noisy), Sign::Noisy, "time lost in noise"),
     ];
     entries.extend(others.into_iter().filter(|(used, ..)| *used).map(|(_, sign, name)| (sign, name.to_owned())));

@@ -43,6 +43,7 @@ pub struct FrontierPlot {
 
 /// A setting with its time and its error.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[expect(clippy::struct_excessive_bools, reason = "any of them may go together")]
 pub struct PlotPoint {
     /// Its name, which may begin with that of its group.
     pub name: String,

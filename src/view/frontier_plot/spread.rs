@@ -64,7 +64,7 @@ pub fn places(paper: &Paper, layout: &Layout) -> Vec<Option<Place>> {
         }
     }
     if let Some(column) = paper.column {
-        field.into_column(column, &mut places);
+        field.fill_column(column, &mut places);
     }
     places
 }
@@ -264,7 +264,7 @@ impl<'a> Field<'a> {
     }
 
     /// Moves labels without a place, or with a bad one, into the column, in the order of their heights.
-    fn into_column(&self, column: Frame, places: &mut [Option<Place>]) {
+    fn fill_column(&self, column: Frame, places: &mut [Option<Place>]) {
         let dear = |k: &usize| match &places[*k] {
             None => true,
             Some(place) => {

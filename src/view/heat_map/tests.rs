@@ -86,6 +86,7 @@ fn no_text_covers_another_and_none_is_cut_off() {
 }
 
 #[test]
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "places within a small picture")]
 fn a_pixel_has_the_colour_of_its_value_in_its_place() {
     let mut map = waves([8, 6]);
     map.values = vec![0.0; 48];
