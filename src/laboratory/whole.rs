@@ -6,12 +6,14 @@ use super::errors::rmse;
 use super::reference::{Sums, is_random, reference_scene};
 use super::timing::Repeat;
 use super::{Answer, Timing};
-use crate::scene::Scene;
+use crate::scene::{Image, Scene};
 use crate::trace::{Picture, Progress, render_rows};
 
-/// One pixel of so many by so many is traced, and for comparison one of twice as many: what a picture takes beyond its
-/// pixels is in both. Fewer pixels miss what is small; more take time from the study.
-const STEP: u32 = 8;
+/// So many pixels are traced at least. Fewer miss what is small; more take time from the study.
+const PIXELS: u64 = 2000;
+
+/// The most pixels of a row that one of them stands for: a large picture is looked at closer than it had to be.
+const COARSEST: u32 = 8;
 
 /// How often each is timed.
 const REPEATS: u32 = 5;
@@ -21,19 +23,27 @@ const PICTURES: u32 = 4;
 
 /// The answer with figures of the whole picture; as it is where these would take more than so many seconds, or are lost in noise.
 pub(super) fn checked(answer: Answer, scene: &Scene, bench: &mut Bench, seconds: f64) -> Answer {
-    let share = 1.0 / f64::from(STEP * STEP);
-    if f64::from(2 * REPEATS) * share * answer.seconds > seconds || bench.progress.cancelled() {
+    let step = step(scene.image);
+    let share = 1.0 / f64::from(step * step);
+    if 1.25 * f64::from(REPEATS) * share * answer.seconds > seconds || bench.progress.cancelled() {
         return answer;
     }
     let looked_at = scene.with_profile(&answer.profile);
-    let [fine, coarse] = [STEP, 2 * STEP].map(|step| time(&looked_at, step, bench));
+    let [fine, coarse] = [step, 2 * step].map(|step| time(&looked_at, step, bench));
     let ([Some(a), Some(b)], false) = ([fine.told(), coarse.told()], bench.progress.cancelled()) else { return answer };
-    // Both have the same beginnings, and the pixels of one are four times those of the other.
+    // What a picture takes beyond its pixels is in both, and one has four times the pixels of the other.
     let each = (a - b) / (0.75 * share);
     let whole = a + (1.0 - share) * each;
-    let error = rmse(&sparse(&looked_at, STEP).0, &reference(scene));
+    let error = rmse(&sparse(&looked_at, step).0, &reference(scene, step));
     let spread = fine.spread / a * whole;
     if whole > 0.0 { answer.with_figures(whole, spread, error) } else { answer }
+}
+
+/// One pixel of so many by so many is traced.
+fn step(Image { width, height }: Image) -> u32 {
+    let pixels = u64::from(width) * u64::from(height);
+    let is_enough = |step: &u32| pixels / u64::from(step * step) >= PIXELS;
+    (0..=COARSEST.ilog2()).rev().map(|power| 1 << power).find(is_enough).unwrap_or(1)
 }
 
 fn time(scene: &Scene, step: u32, bench: &mut Bench) -> Timing {
@@ -54,10 +64,22 @@ fn sparse(scene: &Scene, step: u32) -> (Picture, u64) {
     (picture, super::subject::work_of(&tally))
 }
 
-fn reference(scene: &Scene) -> Picture {
+fn reference(scene: &Scene, step: u32) -> Picture {
     let mut sums = Sums::new(scene.image.width, scene.image.height);
     for number in 0..if is_random(scene) { PICTURES } else { 1 } {
-        sums.add(&sparse(&reference_scene(scene, number), STEP).0);
+        sums.add(&sparse(&reference_scene(scene, number), step).0);
     }
-    sums.mean().unwrap_or_else(|| sparse(scene, STEP).0)
+    sums.mean().unwrap_or_else(|| sparse(scene, step).0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn small_pictures_are_looked_at_as_a_whole_and_large_ones_by_one_pixel_of_many() {
+        let step_of = |width, height| step(Image { width, height });
+        assert_eq!([step_of(40, 30), step_of(96, 48), step_of(240, 120), step_of(640, 480)], [1, 1, 2, 8]);
+        assert_eq!(step_of(4000, 3000), COARSEST);
+    }
 }
