@@ -57,6 +57,8 @@ fn wait_until(bench: &mut Bench, what: &str, done: impl Fn(&Bench) -> bool) {
         std::thread::sleep(Duration::from_millis(10));
         bench.step();
     }
+    // What appears has its place after a frame.
+    settle(bench);
 }
 
 #[test]

@@ -47,6 +47,8 @@ impl PartialEq for Asked {
 pub struct RayScope {
     asked: Option<Asked>,
     job: Option<Background<Known>>,
+    /// Whether the job is about another ray than the one that is asked for.
+    is_stale: bool,
     known: Option<Known>,
 }
 
@@ -54,7 +56,7 @@ impl RayScope {
     /// Stops what is running. What is known stays.
     pub fn pause(&mut self) {
         if self.job.take().is_some() {
-            self.asked = None;
+            (self.asked, self.is_stale) = (None, false);
         }
     }
 
@@ -93,30 +95,37 @@ impl RayScope {
         wish
     }
 
-    /// Works out what is asked for, once.
+    /// Works out what is asked for, once. A ray that is not asked for any more is finished with first: it cannot be left in the
+    /// middle, and many at a time would keep the machine busy.
     fn follow(&mut self, ui: &Ui, asked: &Asked) {
         if self.asked.as_ref() != Some(asked) {
             (self.asked, self.known) = (Some(asked.clone()), None);
-            let asked = asked.clone();
-            self.job = Background::start(ui.ctx(), "this ray", move |progress, publish| {
-                let target = Target::Pixel(asked.pixel);
-                let ray = Arc::new(this_ray(&asked.scene, target));
-                publish(Known { ray: Arc::clone(&ray), timings: Arc::new([]) });
-                let mut stopwatch = cpu_time::taken;
-                let stopped = || progress.cancelled();
-                let timings = time_methods(&asked.scene, target, &mut stopwatch, REPEATS, &stopped);
-                publish(Known { ray, timings: timings.into() });
-            });
+            self.job.iter().for_each(Background::cancel);
+            self.is_stale = self.job.is_some();
         }
-        let Some(job) = &self.job else { return };
-        let finished = job.is_finished();
-        if let Some(known) = job.take() {
-            self.known = Some(known);
+        if let Some(job) = &self.job {
+            let finished = job.is_finished();
+            let news = job.take().filter(|_| !self.is_stale);
+            self.known = news.or(self.known.take());
+            if finished {
+                (self.job, self.is_stale) = (None, false);
+            }
         }
-        if finished {
-            self.job = None;
+        if self.job.is_none() && self.known.is_none() {
+            self.job = start(ui, asked.clone());
         }
     }
+}
+
+fn start(ui: &Ui, asked: Asked) -> Option<Background<Known>> {
+    Background::start(ui.ctx(), "this ray", move |progress, publish| {
+        let target = Target::Pixel(asked.pixel);
+        let ray = Arc::new(this_ray(&asked.scene, target));
+        publish(Known { ray: Arc::clone(&ray), timings: Arc::new([]) });
+        let mut stopwatch = cpu_time::taken;
+        let timings = time_methods(&asked.scene, target, &mut stopwatch, REPEATS, &|| progress.cancelled());
+        publish(Known { ray, timings: timings.into() });
+    })
 }
 
 /// A row for each method; returns the story that was chosen.

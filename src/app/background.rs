@@ -19,6 +19,13 @@ struct Latest<T> {
 
 impl<T> Drop for Background<T> {
     fn drop(&mut self) {
+        self.cancel();
+    }
+}
+
+impl<T> Background<T> {
+    /// Asks the work to stop; it does so as soon as it can.
+    pub fn cancel(&self) {
         self.progress.cancel();
     }
 }

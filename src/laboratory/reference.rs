@@ -14,7 +14,8 @@
 //! that changes is a hundred thousand times less than what chance leaves open.
 //!
 //! **How sure it is.** The error of the mean of n pictures is estimated by what they differ from each other: the standard error
-//! s / √n of each channel of each pixel, as a root mean square over all of them.
+//! s / √n of each channel of each pixel, as a root mean square over all of them. Wavelengths that stand evenly, one set for all
+//! pixels, know no chance: what half of them would change bounds what is left of their error.
 
 use super::{Knob, Reference};
 use crate::scene::{Profile, Rgb, Scene, Shortcuts};

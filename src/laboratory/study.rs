@@ -104,7 +104,7 @@ pub fn study(scene: &Scene, plan: &Plan, earlier: Option<&Earlier>, tools: Tools
     let pictures: Vec<&Picture> = subjects.iter().filter_map(|subject| subject.picture.as_ref()).collect();
     pictures.first()?;
     referee.improve(&mut bench, REFERRING * plan.budget, &pictures);
-    let reference = referee.finish(store)?;
+    let reference = referee.finish(&mut bench, store)?;
     judge(&mut subjects, &reference);
     let mut studying = Studying { scene: sized, whole: scene.image, plan, bench, subjects, reference, watch };
     studying.measure();

@@ -70,7 +70,7 @@ impl Line {
         let [x, y, z] = &columns;
         let determinant = dot(x, &cross(y, z));
         let inverse =
-            |v: [Big; 3]| [cross(y, z), cross(z, x), cross(x, y)].map(|cofactors| dot(&cofactors, v) / &determinant);
+            |v: &[Big; 3]| [cross(y, z), cross(z, x), cross(x, y)].map(|cofactors| dot(&cofactors, v) / &determinant);
         let from_middle: [Big; 3] = std::array::from_fn(|i| big(origin[i]) - big(translation[i]));
         Self::through(inverse(&from_middle), inverse(&direction.to_array().map(big)))
     }
