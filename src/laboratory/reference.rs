@@ -165,7 +165,9 @@ mod tests {
 
     fn sums(values: &[f64]) -> Sums {
         let mut sums = Sums::new(2, 1);
-        values.iter().for_each(|&value| sums.add(&grey(value)));
+        for &value in values {
+            sums.add(&grey(value));
+        }
         sums
     }
 
