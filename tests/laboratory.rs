@@ -123,7 +123,7 @@ fn a_reference_of_a_scene_with_chance_states_an_error_and_more_pictures_make_it_
     assert!(is_random(&scene));
     let plan = |budget| plan(8, budget, &[Knob::Shortcuts]);
     let error = |budget| resumed(&scene, &plan(budget), Some(&in_size([8, 5])), by_work).study.reference;
-    let [few, many] = [error(0.001), error(100.0)];
+    let [few, many] = [error(1e-6), error(100.0)];
     assert!(many.pictures > few.pictures && few.pictures >= 2, "{} {}", few.pictures, many.pictures);
     assert!(many.error < few.error && many.error > 0.0, "{} {}", few.error, many.error);
 }
@@ -252,7 +252,7 @@ fn stored(scene: &Scene, budget: f64, store: &mut Memory) -> Run {
 #[test]
 fn a_later_run_goes_on_with_the_reference_of_the_one_before() {
     let (scene, mut store) = (scene("lens/focus"), Memory::default());
-    let first = stored(&scene, 0.001, &mut store).study.reference;
+    let first = stored(&scene, 1e-6, &mut store).study.reference;
     let second = stored(&scene, 100.0, &mut store).study.reference;
     assert!(!first.cached && second.cached && second.pictures > first.pictures);
     let alone = stored(&scene, 100.0, &mut Memory::default()).study.reference;

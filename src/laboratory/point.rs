@@ -11,7 +11,7 @@ pub struct Timing {
     pub seconds: f64,
     /// Half the distance between the quartiles, in seconds.
     pub spread: f64,
-    /// How often it was measured, not counting the first time.
+    /// How often it was measured, not counting the first time and those in which the thread had to wait.
     pub repeats: u32,
     /// Why the median is not to be told, if it is not.
     pub noise: Option<Noise>,

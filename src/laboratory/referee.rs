@@ -3,7 +3,7 @@
 use super::bench::Bench;
 use super::errors::rmse;
 use super::reference::{FEWEST_PICTURES, Sums, best_profile, is_random, reference_scene};
-use super::{Reference, Store};
+use super::{Knob, Reference, Store};
 use crate::scene::{Image, Scene};
 use crate::trace::{Picture, render};
 
@@ -67,22 +67,40 @@ impl Referee {
 
     /// Adds one picture, on all threads. Says what it took; none if it was interrupted.
     fn add_picture(&mut self, bench: &mut Bench) -> Option<f64> {
-        let best = reference_scene(&self.scene, self.sums.count);
-        let progress = bench.progress;
-        let mut picture = None;
-        let seconds = bench.spend(&mut || {
-            let rendered = render(&best, progress).0;
-            let work = rendered.computed() as u64;
-            picture = Some(rendered);
-            work
-        });
-        self.sums.add(&picture.filter(|_| !progress.cancelled())?);
+        let (picture, seconds) = rendered(&reference_scene(&self.scene, self.sums.count), bench)?;
+        self.sums.add(&picture);
         Some(seconds)
     }
 
-    /// Keeps it for later runs, and says what it is.
-    pub fn finish(&self, store: &mut dyn Store) -> Option<Reference> {
+    /// Keeps it for later runs, and says what it is. None if that was interrupted.
+    pub fn finish(&self, bench: &mut Bench, store: &mut dyn Store) -> Option<Reference> {
         store.save(&self.name, &self.sums.to_bytes(&self.name));
-        self.sums.reference(&self.scene, self.was_cached)
+        let reference = self.sums.reference(&self.scene, self.was_cached)?;
+        let error = reference.error.max(self.left_by_wavelengths(bench, &reference.picture)?);
+        Some(Reference { error, ..reference })
     }
+
+    /// By how much it would change with half of its wavelengths, where these stand evenly and nothing else is left to chance:
+    /// more than with twice as many.
+    fn left_by_wavelengths(&self, bench: &mut Bench, picture: &Picture) -> Option<f64> {
+        if is_random(&self.scene) || !Knob::Wavelengths.matters_to(&self.scene) {
+            return Some(0.0);
+        }
+        let mut coarser = reference_scene(&self.scene, 0);
+        coarser.sampling.wavelengths = (coarser.sampling.wavelengths / 2).max(1);
+        Some(rmse(&rendered(&coarser, bench)?.0, picture))
+    }
+}
+
+/// The scene's picture, on all threads, and the seconds that it took; none if it was interrupted.
+fn rendered(scene: &Scene, bench: &mut Bench) -> Option<(Picture, f64)> {
+    let progress = bench.progress;
+    let mut picture = None;
+    let seconds = bench.spend(&mut || {
+        let rendered = render(scene, progress).0;
+        let work = rendered.computed() as u64;
+        picture = Some(rendered);
+        work
+    });
+    Some((picture.filter(|_| !progress.cancelled())?, seconds))
 }

@@ -104,7 +104,7 @@ pub fn study(scene: &Scene, plan: &Plan, earlier: Option<&Earlier>, tools: Tools
     let pictures: Vec<&Picture> = subjects.iter().filter_map(|subject| subject.picture.as_ref()).collect();
     pictures.first()?;
     referee.improve(&mut bench, REFERRING * plan.budget, &pictures);
-    let reference = referee.finish(store)?;
+    let reference = referee.finish(&mut bench, store)?;
     judge(&mut subjects, &reference);
     let mut studying = Studying { scene: sized, whole: scene.image, plan, bench, subjects, reference, watch };
     studying.measure();
@@ -159,7 +159,7 @@ impl Studying<'_, '_> {
     /// The best answers, looked at in the whole picture's size. Where the best one does not hold there, the next ones are tried.
     fn answers(&mut self, study: &Study) -> Vec<Answer> {
         let (scale, plan) = (self.scale(), self.plan);
-        let seconds = CHECKING * plan.budget / (plan.goals.len().max(1) * TRIES) as f64;
+        let seconds = CHECKING * plan.budget / plan.goals.len().max(1) as f64;
         let whole = Scene { image: self.whole, ..self.scene.clone() };
         let mut answers = Vec::new();
         for goal in &plan.goals {

@@ -23,7 +23,8 @@ const DEVIATIONS: f64 = 1.482_602;
 /// a contradiction; less would call noise what still orders the settings rightly.
 const MOST_UNCERTAIN: f64 = 0.10;
 
-/// A thread that waits for more than this share of its time shares its core: its caches are not its own.
+/// A thread that waits for more than this share of its time shares its core: its caches are not its own. With less, no machine
+/// that does anything else would be quiet enough.
 const MOST_WAITING: f64 = 0.25;
 
 /// A time of fewer steps of the clock is read with an error above one percent.
@@ -39,14 +40,17 @@ pub const SURE: f64 = 0.03;
 pub const SURE_REPEATS: u32 = 5;
 
 impl Timing {
-    /// The time that repeats tell. `steps` says of how many of the clock's steps one reading is.
+    /// The time that repeats tell. Those in which the thread waited too long do not count, as long as enough others are left.
+    /// `steps` says of how many of the clock's steps one reading is.
     #[must_use]
     pub fn of(repeats: &[Repeat], steps: impl Fn(f64) -> f64) -> Self {
-        let all = |value: fn(&Repeat) -> f64| repeats.iter().map(value).collect::<Vec<_>>();
+        let calm: Vec<Repeat> = repeats.iter().filter(|repeat| repeat.waiting <= MOST_WAITING).copied().collect();
+        let counted = if calm.len() >= FEWEST_REPEATS as usize { &calm } else { repeats };
+        let all = |value: fn(&Repeat) -> f64| counted.iter().map(value).collect::<Vec<_>>();
         let seconds = quantile(all(|repeat| repeat.seconds), 0.5);
         let quartile = |share| quantile(all(|repeat| repeat.seconds), share);
         let spread = 0.5 * (quartile(0.75) - quartile(0.25));
-        let count = u32::try_from(repeats.len()).unwrap_or(u32::MAX);
+        let count = u32::try_from(counted.len()).unwrap_or(u32::MAX);
         let mut timing = Self { seconds, spread, repeats: count, noise: None };
         timing.noise = timing.noise(quantile(all(|repeat| repeat.waiting), 0.5), steps(seconds));
         timing
@@ -135,6 +139,17 @@ mod tests {
         assert_eq!(timing(&[1.0; 9], 0.3, 1e-6).noise, Some(Noise::Waiting(0.3)));
         assert_eq!(timing(&[1.0; 9], 0.0, 0.02).noise, Some(Noise::Clock(50.0)));
         assert_eq!(timing(&[1.0; 9], 0.2, 0.01).noise, None);
+    }
+
+    #[test]
+    fn repeats_in_which_the_thread_waited_do_not_count_where_others_are_left() {
+        let repeat = |seconds, waiting| Repeat { seconds, waiting };
+        let calm = [repeat(1.0, 0.0), repeat(1.01, 0.1), repeat(0.99, 0.2)];
+        let busy = [repeat(1.5, 0.5); 4];
+        let timing = Timing::of(&[&busy[..], &calm].concat(), |_| f64::INFINITY);
+        assert_eq!((timing.told(), timing.repeats), (Some(1.0), 3));
+        let timing = Timing::of(&[&busy[..], &calm[..2]].concat(), |_| f64::INFINITY);
+        assert_eq!((timing.noise, timing.repeats), (Some(Noise::Waiting(0.5)), 6));
     }
 
     #[test]

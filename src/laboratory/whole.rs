@@ -6,45 +6,76 @@ use super::errors::rmse;
 use super::reference::{Sums, is_random, reference_scene};
 use super::timing::Repeat;
 use super::{Answer, Timing};
-use crate::scene::Scene;
+use crate::scene::{Image, Scene};
 use crate::trace::{Picture, Progress, render_rows};
 
-/// One pixel of so many by so many is traced, and for comparison one of twice as many: what a picture takes beyond its
-/// pixels is in both. Fewer pixels miss what is small; more take time from the study.
-const STEP: u32 = 8;
+/// So many pixels are traced at least. Fewer miss what is small; more take time from the study.
+const PIXELS: u64 = 2000;
 
-/// How often each is timed.
+/// The most pixels of a row that one of them stands for: a large picture is looked at closer than it had to be.
+const COARSEST: u32 = 8;
+
+/// How often each is timed, and how often at most where the thread has to wait.
 const REPEATS: u32 = 5;
+const MOST_REPEATS: usize = 15;
+
+/// So many of the clock's steps can be told as a time.
+const READABLE: f64 = 150.0;
 
 /// Pictures of the reference where chance decides: it errs by half of what one of them does.
 const PICTURES: u32 = 4;
 
 /// The answer with figures of the whole picture; as it is where these would take more than so many seconds, or are lost in noise.
 pub(super) fn checked(answer: Answer, scene: &Scene, bench: &mut Bench, seconds: f64) -> Answer {
-    let share = 1.0 / f64::from(STEP * STEP);
-    if f64::from(2 * REPEATS) * share * answer.seconds > seconds || bench.progress.cancelled() {
+    let step = step(scene.image, answer.seconds, bench.resolution);
+    let share = 1.0 / f64::from(step * step);
+    if 1.25 * f64::from(REPEATS) * share * answer.seconds > seconds || bench.progress.cancelled() {
         return answer;
     }
     let looked_at = scene.with_profile(&answer.profile);
-    let [fine, coarse] = [STEP, 2 * STEP].map(|step| time(&looked_at, step, bench));
-    let ([Some(a), Some(b)], false) = ([fine.told(), coarse.told()], bench.progress.cancelled()) else { return answer };
-    // Both have the same beginnings, and the pixels of one are four times those of the other.
-    let each = (a - b) / (0.75 * share);
-    let whole = a + (1.0 - share) * each;
-    let error = rmse(&sparse(&looked_at, STEP).0, &reference(scene));
-    let spread = fine.spread / a * whole;
-    if whole > 0.0 { answer.with_figures(whole, spread, error) } else { answer }
+    let Some((whole, spread)) = whole(&looked_at, step, bench) else { return answer };
+    let error = rmse(&sparse(&looked_at, step).0, &reference(scene, step));
+    answer.with_figures(whole, spread, error)
+}
+
+/// What the whole picture takes, and how far that scatters; none if that is lost in noise.
+fn whole(scene: &Scene, step: u32, bench: &mut Bench) -> Option<(f64, f64)> {
+    let fine = time(scene, step, bench);
+    let a = fine.told()?;
+    if step == 1 {
+        return Some((a, fine.spread));
+    }
+    let b = time(scene, 2 * step, bench).told()?;
+    // What a picture takes beyond its pixels is in both, and one has four times the pixels of the other.
+    let share = 1.0 / f64::from(step * step);
+    let whole = a + (1.0 - share) * (a - b) / (0.75 * share);
+    (a > b).then_some((whole, fine.spread / a * whole))
+}
+
+/// One pixel of so many by so many is traced, and for comparison one of four times as many: enough of them, and for long
+/// enough that the clock can tell.
+fn step(Image { width, height }: Image, seconds: f64, resolution: f64) -> u32 {
+    let pixels = u64::from(width) * u64::from(height);
+    let is_enough = |step: &u32| {
+        let square = step * step;
+        pixels / u64::from(square) >= PIXELS && seconds / f64::from(4 * square) >= READABLE * resolution
+    };
+    (0..=COARSEST.ilog2()).rev().map(|power| 1 << power).find(is_enough).unwrap_or(1)
 }
 
 fn time(scene: &Scene, step: u32, bench: &mut Bench) -> Timing {
     let resolution = bench.resolution;
-    let repeats: Vec<Repeat> = (0..REPEATS)
-        .map(|_| {
-            let taken = bench.time(&mut || sparse(scene, step).1);
-            Repeat { seconds: taken.worked.as_secs_f64(), waiting: taken.waiting() }
-        })
-        .collect();
-    Timing::of(&repeats, |seconds| if resolution > 0.0 { seconds / resolution } else { f64::INFINITY })
+    let mut repeats = Vec::new();
+    loop {
+        let taken = bench.time(&mut || sparse(scene, step).1);
+        repeats.push(Repeat { seconds: taken.worked.as_secs_f64(), waiting: taken.waiting() });
+        let timing =
+            Timing::of(&repeats, |seconds| if resolution > 0.0 { seconds / resolution } else { f64::INFINITY });
+        let count = repeats.len();
+        if count >= MOST_REPEATS || (count >= REPEATS as usize && timing.told().is_some()) {
+            return timing;
+        }
+    }
 }
 
 /// One pixel of each square, which has its colour.
@@ -54,10 +85,28 @@ fn sparse(scene: &Scene, step: u32) -> (Picture, u64) {
     (picture, super::subject::work_of(&tally))
 }
 
-fn reference(scene: &Scene) -> Picture {
+fn reference(scene: &Scene, step: u32) -> Picture {
     let mut sums = Sums::new(scene.image.width, scene.image.height);
     for number in 0..if is_random(scene) { PICTURES } else { 1 } {
-        sums.add(&sparse(&reference_scene(scene, number), STEP).0);
+        sums.add(&sparse(&reference_scene(scene, number), step).0);
     }
-    sums.mean().unwrap_or_else(|| sparse(scene, STEP).0)
+    sums.mean().unwrap_or_else(|| sparse(scene, step).0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn small_pictures_are_looked_at_as_a_whole_and_large_ones_by_one_pixel_of_many() {
+        let step_of = |width, height| step(Image { width, height }, 10.0, 1e-6);
+        assert_eq!([step_of(40, 30), step_of(96, 48), step_of(240, 120), step_of(640, 480)], [1, 1, 2, 8]);
+        assert_eq!(step_of(4000, 3000), COARSEST);
+    }
+
+    #[test]
+    fn a_quick_picture_is_looked_at_for_as_long_as_the_clock_can_tell() {
+        let step_of = |seconds| step(Image { width: 640, height: 480 }, seconds, 3e-5);
+        assert_eq!([step_of(10.0), step_of(0.1), step_of(0.02), step_of(0.001)], [8, 2, 1, 1]);
+    }
 }

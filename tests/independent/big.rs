@@ -60,7 +60,7 @@ pub struct Line {
 
 impl Line {
     pub fn new(origin: DVec3, direction: DVec3) -> Self {
-        Self::through(origin.to_array().map(big), direction.to_array().map(big))
+        Self::through(&origin.to_array().map(big), direction.to_array().map(big))
     }
 
     /// The ray of the world in the generic coordinates of what stands at `world_from_generic`, by Cramer's rule.
@@ -70,16 +70,16 @@ impl Line {
         let [x, y, z] = &columns;
         let determinant = dot(x, &cross(y, z));
         let inverse =
-            |v: [Big; 3]| [cross(y, z), cross(z, x), cross(x, y)].map(|cofactors| dot(&cofactors, v) / &determinant);
+            |v: &[Big; 3]| [cross(y, z), cross(z, x), cross(x, y)].map(|cofactors| dot(&cofactors, v) / &determinant);
         let from_middle: [Big; 3] = std::array::from_fn(|i| big(origin[i]) - big(translation[i]));
-        Self::through(inverse(&from_middle), inverse(&direction.to_array().map(big)))
+        Self::through(&inverse(&from_middle), inverse(&direction.to_array().map(big)))
     }
 
-    fn through(s: [Big; 3], c: [Big; 3]) -> Self {
+    fn through(s: &[Big; 3], c: [Big; 3]) -> Self {
         let largest = c.iter().map(|x| near(x).abs()).fold(0.0, f64::max);
         let unit = (-largest.log2().floor()).exp2();
         let c = c.map(|x| x * big(unit));
-        let foot = -dot(&s, &c) / dot(&c, &c);
+        let foot = -dot(s, &c) / dot(&c, &c);
         let nearest = std::array::from_fn(|i| &s[i] + &c[i] * &foot);
         let per_length = big(1.0) / dot(&c, &c).sqrt();
         Self { foot, unit: big(unit), nearest, direction: c, per_length }

@@ -96,6 +96,10 @@ impl Counting<'_> {
         }
         let output =
             command.output().map_err(|error| Failure::refused(format!("the counting tool: {}", reason(&error))))?;
+        if !output.status.success() {
+            let why = why_not(self.tool, &output);
+            return Err(Failure::refused(format!("instructions cannot be counted here: {why}")));
+        }
         Ok(self.tool.count(&said(&output)))
     }
 }
@@ -109,7 +113,7 @@ fn find_tool(program: &Path) -> Result<Tool, Failure> {
     let mut reasons = Vec::new();
     for tool in [Tool::Perf, Tool::Callgrind] {
         match tool.command(program).arg("--version").output() {
-            Ok(output) if tool.count(&said(&output)).is_some() => return Ok(tool),
+            Ok(output) if output.status.success() && tool.count(&said(&output)).is_some() => return Ok(tool),
             Ok(output) => reasons.push(why_not(tool, &output)),
             Err(error) => reasons.push(format!("{} cannot be started: {}", name(tool), reason(&error))),
         }
@@ -134,7 +138,7 @@ fn why_not(tool: Tool, output: &Output) -> String {
             "perf: this machine's processor does not let instructions be counted (many virtual machines do not)"
                 .to_owned()
         }
-        Tool::Callgrind if said.contains("unhandled instruction") || said.contains("SIGILL") => {
+        Tool::Callgrind if said.contains("unhandled instruction") || said.contains("Illegal opcode") => {
             "valgrind does not know an instruction of this program; build it without -C target-cpu=native".to_owned()
         }
         _ => {
