@@ -62,7 +62,7 @@ const REFERRING: f64 = 0.3;
 const SINGLES: f64 = 0.7;
 
 /// The share of the budget in which answers are looked at in the whole picture's size.
-const CHECKING: f64 = 0.15;
+const CHECKING: f64 = 0.3;
 
 /// So many are looked at for each goal.
 const TRIES: usize = 3;

@@ -1,5 +1,6 @@
 //! What holds for a small picture need not hold for the whole one: where a pixel covers less of a texture, filters have less to do.
-//! So an answer is looked at in the whole picture's own size, by one pixel in so many.
+//! So an answer is looked at in the whole picture's own size: all of it where there is time for that, for pixels by themselves take
+//! longer than beside each other, and otherwise one pixel in so many.
 
 use super::bench::Bench;
 use super::errors::rmse;
@@ -9,10 +10,10 @@ use super::{Answer, Timing};
 use crate::scene::{Image, Scene};
 use crate::trace::{Picture, Progress, render_rows};
 
-/// So many pixels are traced at least. Fewer miss what is small; more take time from the study.
+/// So many pixels are traced at least. Fewer miss what is small.
 const PIXELS: u64 = 2000;
 
-/// The most pixels of a row that one of them stands for: a large picture is looked at closer than it had to be.
+/// The most pixels of a row that one of them stands for.
 const COARSEST: u32 = 8;
 
 /// How often each is timed, and how often at most where the thread has to wait.
@@ -27,9 +28,8 @@ const PICTURES: u32 = 4;
 
 /// The answer with figures of the whole picture; as it is where these would take more than so many seconds, or are lost in noise.
 pub(super) fn checked(answer: Answer, scene: &Scene, bench: &mut Bench, seconds: f64) -> Answer {
-    let step = step(scene.image, answer.seconds, bench.resolution);
-    let share = 1.0 / f64::from(step * step);
-    if 1.25 * f64::from(REPEATS) * share * answer.seconds > seconds || bench.progress.cancelled() {
+    let Some(step) = step(scene.image, [answer.seconds, seconds], bench.resolution) else { return answer };
+    if bench.progress.cancelled() {
         return answer;
     }
     let looked_at = scene.with_profile(&answer.profile);
@@ -52,15 +52,19 @@ fn whole(scene: &Scene, step: u32, bench: &mut Bench) -> Option<(f64, f64)> {
     (a > b).then_some((whole, fine.spread / a * whole))
 }
 
-/// One pixel of so many by so many is traced, and for comparison one of four times as many: enough of them, and for long
-/// enough that the clock can tell.
-fn step(Image { width, height }: Image, seconds: f64, resolution: f64) -> u32 {
+/// One pixel of so many by so many is traced, and for comparison one of four times as many: as many as there is time for, if
+/// these are enough, and take long enough for the clock to tell. A picture takes about `seconds`, and there are `most`.
+fn step(Image { width, height }: Image, [seconds, most]: [f64; 2], resolution: f64) -> Option<u32> {
     let pixels = u64::from(width) * u64::from(height);
+    let is_affordable = |step: &u32| {
+        let compared = if *step == 1 { 1.0 } else { 1.25 };
+        compared * f64::from(REPEATS) * seconds / f64::from(step * step) <= most
+    };
     let is_enough = |step: &u32| {
         let square = step * step;
-        pixels / u64::from(square) >= PIXELS && seconds / f64::from(4 * square) >= READABLE * resolution
+        *step == 1 || pixels / u64::from(square) >= PIXELS && seconds / f64::from(4 * square) >= READABLE * resolution
     };
-    (0..=COARSEST.ilog2()).rev().map(|power| 1 << power).find(is_enough).unwrap_or(1)
+    (0..=COARSEST.ilog2()).map(|power| 1 << power).find(is_affordable).filter(is_enough)
 }
 
 fn time(scene: &Scene, step: u32, bench: &mut Bench) -> Timing {
@@ -98,15 +102,15 @@ mod tests {
     use super::*;
 
     #[test]
-    fn small_pictures_are_looked_at_as_a_whole_and_large_ones_by_one_pixel_of_many() {
-        let step_of = |width, height| step(Image { width, height }, 10.0, 1e-6);
-        assert_eq!([step_of(40, 30), step_of(96, 48), step_of(240, 120), step_of(640, 480)], [1, 1, 2, 8]);
-        assert_eq!(step_of(4000, 3000), COARSEST);
+    fn a_picture_is_looked_at_as_a_whole_where_there_is_time_for_that_and_otherwise_by_one_pixel_of_many() {
+        let step_of = |seconds| step(Image { width: 640, height: 480 }, [seconds, 5.0], 1e-6);
+        assert_eq!([step_of(0.9), step_of(3.0), step_of(10.0)], [Some(1), Some(2), Some(4)]);
+        assert_eq!(step_of(1000.0), None);
     }
 
     #[test]
-    fn a_quick_picture_is_looked_at_for_as_long_as_the_clock_can_tell() {
-        let step_of = |seconds| step(Image { width: 640, height: 480 }, seconds, 3e-5);
-        assert_eq!([step_of(10.0), step_of(0.1), step_of(0.02), step_of(0.001)], [8, 2, 1, 1]);
+    fn too_few_pixels_and_too_short_a_time_tell_nothing() {
+        assert_eq!(step(Image { width: 40, height: 30 }, [3.0, 5.0], 1e-6), None);
+        assert_eq!(step(Image { width: 640, height: 480 }, [3.0, 5.0], 0.1), None);
     }
 }
