@@ -145,7 +145,7 @@ fn a_clock_that_jitters_or_stalls_or_is_too_coarse_makes_noise() {
     };
     let coarse = |work: Work| {
         let Taken { worked, wall } = by_work(work);
-        Taken { worked: Duration::from_millis(worked.as_millis() as u64 / 100 * 100), wall }
+        Taken { worked: Duration::from_secs_f64((10.0 * worked.as_secs_f64()).floor() / 10.0), wall }
     };
     let noise = |run: Run| run.study.standard.timing.noise.unwrap_or_else(|| panic!("{:?}", run.study.standard.timing));
     assert!(matches!(noise(measured(&scene, &plan, jitters)), Noise::Spread(_)));

@@ -32,6 +32,7 @@ pub fn plot(study: &Study, scene_name: &str) -> FrontierPlot {
         notes: vec![format!("{} × {} pixels on one thread; {reference}", picture.width, picture.height)],
         x_name: "time of one picture".to_owned(),
         y_name: "error: root mean square of linear RGB, against the reference".to_owned(),
+        loose: groups.iter().position(|group| *group == COMBINATIONS),
         groups: groups.iter().map(|&group| group.to_owned()).collect(),
         points: study.all().map(plotted).collect(),
         reference_error: study.reference.error,

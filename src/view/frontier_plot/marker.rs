@@ -124,6 +124,7 @@ fn cross(at: Spot, turn: f64) -> Vec<Spot> {
 pub fn knob_paths(plot: &FrontierPlot, layout: &Layout) -> Vec<Vec<Spot>> {
     let path = |group: usize| {
         let own = plot.points.iter().zip(&layout.spots).filter(|(point, _)| point.group == Some(group));
+        let own = own.filter(|_| plot.loose != Some(group));
         own.filter(|(point, _)| point.error > 0.0).filter_map(|(_, spot)| *spot).collect()
     };
     (0..plot.groups.len()).map(path).collect()

@@ -35,6 +35,8 @@ pub struct FrontierPlot {
     pub y_name: String,
     /// The names of the groups that points belong to, in the order of the legend.
     pub groups: Vec<String>,
+    /// The group whose points have no order, by its place in the list: no line goes through them.
+    pub loose: Option<usize>,
     /// The points, those of a group in the order in which its thin line goes through them.
     pub points: Vec<PlotPoint>,
     /// By how much the reference may be off itself, in the units of the errors; 0 where it is sure.
