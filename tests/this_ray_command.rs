@@ -23,7 +23,9 @@ fn a_pixel_is_told_by_every_method_with_times_and_digits() {
     for method in methods {
         // A time is told with its spread and repeats, or it is said why not.
         assert!(method["ns"].as_f64().is_some_and(|ns| ns > 0.0) != method["noise"].is_string(), "{method}");
-        assert!(method["spread_ns"].as_f64().unwrap() >= 0.0 && method["repeats"] == 15, "{method}");
+        assert!(method["spread_ns"].as_f64().unwrap() >= 0.0, "{method}");
+        // Those in which the thread had to wait do not count.
+        assert!(method["repeats"].as_u64().is_some_and(|repeats| (1..=15).contains(&repeats)), "{method}");
     }
     let digits = |k: usize| methods[k]["hit_digits"].as_f64().unwrap_or(f64::INFINITY);
     assert!(digits(0) < 8.0 && digits(1) > 14.0 && digits(3) > 15.0, "{methods:?}");

@@ -73,13 +73,13 @@ fn intervals(count: usize) -> String {
 
 /// What happens here alone.
 pub fn only_here(event: &Event) -> Option<Parting> {
-    let reason = format!("{}, which exactly is not so", spoken(&event.what)?);
+    let reason = format!("{}, which with exact hits is not so", spoken(&event.what)?);
     Some(Parting { event: event.id, reason })
 }
 
 /// What happens in the exact tree alone, as a part of the event `parent`.
 pub fn only_exactly(event: &Event, parent: EventId) -> Option<Parting> {
-    let reason = format!("exactly {}, which is not so here", spoken(&event.what)?);
+    let reason = format!("with exact hits {}; here that is not so", spoken(&event.what)?);
     Some(Parting { event: parent, reason })
 }
 
