@@ -3,11 +3,12 @@
 use super::failure::Failure;
 use super::output::Output;
 use super::progress::stopped_by_ctrl_c;
+use super::trace::check_pixel;
 use crate::cpu_time;
 use crate::laboratory::{
     Number, OutlineRow, Story, Target, ThisRay, Timing, Told, this_ray, this_ray_text, time_methods,
 };
-use crate::scene::{Image, Scene};
+use crate::scene::Scene;
 use crate::trace::RayTree;
 use crate::view;
 use clap::ValueEnum;
@@ -28,7 +29,9 @@ pub enum Format {
 
 /// Measures one ray by every method, and writes what came of it; no output is the standard output.
 pub fn report(scene: &Scene, target: Target, format: Format, output: Option<&Path>) -> Result<(), Failure> {
-    check(scene, target)?;
+    if let Target::Pixel(pixel) = target {
+        check_pixel(scene, pixel)?;
+    }
     let output = Output::create(output)?;
     let progress = stopped_by_ctrl_c();
     let ray = this_ray(scene, target);
@@ -42,18 +45,6 @@ pub fn report(scene: &Scene, target: Target, format: Format, output: Option<&Pat
         Format::Json => json(scene, &ray, &timings)?,
     };
     output.write(text.as_bytes())
-}
-
-fn check(scene: &Scene, target: Target) -> Result<(), Failure> {
-    let Image { width, height } = scene.image;
-    match target {
-        Target::Pixel([x, y]) if x >= width || y >= height => Err(Failure::usage(format!(
-            "pixel {x},{y} lies outside the picture of {width} × {height} pixels; the last one is {},{}",
-            width - 1,
-            height - 1
-        ))),
-        _ => Ok(()),
-    }
 }
 
 /// The report as it is written. Digits are `null` where all are right, times where they cannot be told.

@@ -86,13 +86,7 @@ impl Trace {
         let (width, height) = (scene.image.width, scene.image.height);
         let telling = scene.pixels.first().copied().unwrap_or([width / 2, height / 2]);
         let [x, y] = self.pixel.unwrap_or(telling);
-        if x >= width || y >= height {
-            return Err(Failure::usage(format!(
-                "pixel {x},{y} lies outside the picture of {width} × {height} pixels; the last one is {},{}",
-                width - 1,
-                height - 1
-            )));
-        }
+        check_pixel(scene, [x, y])?;
         Ok(record_pixel(scene, x, y))
     }
 
@@ -110,6 +104,19 @@ impl Trace {
     fn drawn(&self, scene: &Scene, tree: &RayTree) -> Result<Drawing, Failure> {
         self.drawing.unwrap_or(TraceDrawing::Side).drawn(scene, tree, self.theme)
     }
+}
+
+/// Refuses a pixel that the scene's picture does not have.
+pub fn check_pixel(scene: &Scene, [x, y]: [u32; 2]) -> Result<(), Failure> {
+    let (width, height) = (scene.image.width, scene.image.height);
+    if x < width && y < height {
+        return Ok(());
+    }
+    Err(Failure::usage(format!(
+        "pixel {x},{y} lies outside the picture of {width} × {height} pixels; the last one is {},{}",
+        width - 1,
+        height - 1
+    )))
 }
 
 /// Column and row of a pixel.

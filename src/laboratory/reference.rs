@@ -10,8 +10,8 @@
 //! Light that was mirrored more often than the deepest ray is missing from the reference, too, and where light is taken apart
 //! without chance its colours are still those of a number of wavelengths.
 //!
-//! Hits have 32 digits. Only where chance decides they are found as certain as pictures are anyway, in a third of the time: what
-//! that changes is a hundred thousand times less than what chance leaves open.
+//! Hits have 32 digits. Only where chance decides they are found as surely as pictures find them anyway, in less time: the last digits
+//! of a hit count for nothing beside what chance leaves open.
 //!
 //! **How sure it is.** The error of the mean of n pictures is estimated by what they differ from each other: the standard error
 //! s / √n of each channel of each pixel, as a root mean square over all of them. Wavelengths that stand evenly, one set for all
