@@ -5,7 +5,9 @@ use super::failure::Failure;
 use crate::record::{EventId, What};
 use crate::scene::Scene;
 use crate::trace::RayTree;
-use crate::view::{self, Drawing, SectionPlane, SideViewOptions};
+use crate::view::{
+    self, Drawing, GenericLook, GenericViewOptions, OverviewOptions, SectionPlane, SideViewOptions, Wireframe,
+};
 use clap::ValueEnum;
 
 /// Drawings are this large, in points.
@@ -30,6 +32,18 @@ pub enum TraceDrawing {
     Intervals,
     /// Where the ray is outside and inside of the primitive that it meets
     Signs,
+    /// The whole tree of a compound at once, each part with the intervals that the ray has in it
+    Tree,
+    /// The scene in space, with the camera, the lights and all rays
+    Overview,
+    /// The primitive that is met in its own space, with the transformed ray
+    Generic,
+    /// The table of planes of a cube or polyhedron, beside what each plane leaves of the ray
+    Planes,
+    /// Snell's law at the surface: the angles, and how much is reflected at each
+    Snell,
+    /// The five components of the colour that comes back
+    Shading,
 }
 
 impl TraceDrawing {
@@ -71,6 +85,23 @@ impl TraceDrawing {
                 view::sign_plot(tree, primitive_of(tree, end), SIZE, theme.into()),
                 "no primitive was asked where the ray is inside of it",
             ),
+            Self::Tree => {
+                (view::csg_bars(scene, tree, object_of(tree, end), None, SIZE, theme.into()), "the ray meets no object")
+            }
+            Self::Overview => (overview(scene, tree, theme), ""),
+            Self::Generic => (generic(scene, tree, primitive_of(tree, end), theme), "no primitive was asked"),
+            Self::Planes => (
+                view::plane_table(tree, primitive_of(tree, end), None, SIZE, theme.into()).map(|table| table.drawing),
+                "what the ray meets is not made of planes",
+            ),
+            Self::Snell => (
+                (0..tree.end()).find_map(|event| match tree.event(event).what {
+                    What::Snell { .. } => view::snell_diagram(tree, event, SIZE, theme.into()),
+                    _ => None,
+                }),
+                "the ray meets no surface between two transparent media",
+            ),
+            Self::Shading => (view::shading_bars(tree, end, SIZE, theme.into()), "the ray brings no colour back"),
         };
         drawing.ok_or_else(|| {
             Failure::refused(format!("there is nothing to draw: {missing}; try another --pixel, or --drawing side"))
@@ -80,9 +111,25 @@ impl TraceDrawing {
 
 /// The side view with everything that happened up to the last event.
 fn side_view(scene: &Scene, tree: &RayTree, theme: Theme) -> Drawing {
-    let options =
-        SideViewOptions { size: SIZE, theme: theme.into(), plane: SectionPlane::RayAndUp, zoom: 1.0, pan: [0.0, 0.0] };
+    let options = SideViewOptions {
+        size: SIZE,
+        theme: theme.into(),
+        plane: SectionPlane::RayAndUp,
+        zoom: 1.0,
+        pan: [0.0, 0.0],
+        probe_t: None,
+    };
     view::side_view(scene, tree, tree.end().saturating_sub(1), &options)
+}
+
+fn overview(scene: &Scene, tree: &RayTree, theme: Theme) -> Option<Drawing> {
+    let options = OverviewOptions { size: SIZE, theme: theme.into(), ..OverviewOptions::default() };
+    view::overview(scene, &Wireframe::of(scene), tree, tree.end().saturating_sub(1), &options)
+}
+
+fn generic(scene: &Scene, tree: &RayTree, event: EventId, theme: Theme) -> Option<Drawing> {
+    let options = GenericViewOptions { size: SIZE, theme: theme.into(), look: GenericLook::Section, probe_t: None };
+    view::generic_view(scene, tree, event, &options)
 }
 
 /// The events that end rays, the camera ray's first: a hit, or that the ray met nothing.

@@ -63,6 +63,7 @@ impl Key {
             plane: self.plane,
             zoom: self.sight.zoom,
             pan: self.sight.pan,
+            probe_t: None,
         };
         side_view(&self.scene, &self.tree, self.step, &options)
     }

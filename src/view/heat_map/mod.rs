@@ -12,6 +12,7 @@ use super::drawing::{Anchor, Drawing, Form, Frame, Stroke};
 use super::fonts::Face;
 use super::labels::{Label, shortened};
 use super::palette::{Palette, Theme};
+use super::text::brief;
 use colours::{Paint, SHADES};
 
 /// A value for each pixel.
@@ -79,7 +80,32 @@ pub fn heat_map(map: &HeatMap, size: [f64; 2], theme: Theme) -> Drawing {
     drawing.put(Form::Rect { frame: frame.grown(0.5), fill: None, stroke }, None);
     let beside = Frame { low: [frame.high[0] + 18.0, frame.low[1]], high: [drawing.width - 4.0, drawing.height - 8.0] };
     legend::draw(&mut drawing, map, palette, beside, &notes);
+    drawing.description = description(map);
     drawing
+}
+
+/// The map in words: its range, its middle and its worst place, or how many pixels each class has.
+fn description(map: &HeatMap) -> String {
+    let [columns, rows] = map.size;
+    let mut text = format!("{}. {} {columns} × {rows} pixels.", map.title, map.notes.join(" "));
+    if let HeatScale::Classes(names) = &map.scale {
+        for (class, name) in names.iter().enumerate() {
+            #[expect(clippy::float_cmp, reason = "classes are whole numbers")]
+            let count = map.values.iter().filter(|value| **value == class as f64).count();
+            text.push_str(&format!(" {name}: {count} pixels."));
+        }
+        return text;
+    }
+    let mut known: Vec<(f64, usize)> =
+        map.values.iter().enumerate().filter(|(_, value)| value.is_finite()).map(|(i, value)| (*value, i)).collect();
+    known.sort_by(|a, b| a.0.total_cmp(&b.0));
+    if let (Some(least), Some(most)) = (known.first(), known.last()) {
+        let place = format!("{}, {}", most.1 % columns.max(1), most.1 / columns.max(1));
+        let [low, middle, high] = [least.0, known[known.len() / 2].0, most.0].map(brief);
+        let unit = &map.unit;
+        text.push_str(&format!(" {unit}: from {low} to {high} at pixel {place}; in the middle {middle}."));
+    }
+    text
 }
 
 /// The title and the notes; returns what is left for the map.
