@@ -3,10 +3,12 @@
 //! Each area has a file with an enum of its own, which implements [`Commands`]. Menus, keys, the palette, the help and the tests are made
 //! from [`Command::all`], so that none of them can lack one.
 
+mod help;
 mod scene;
 mod step;
 mod view;
 
+pub use help::HelpCommand;
 pub use scene::SceneCommand;
 pub use step::StepCommand;
 pub use view::ViewCommand;
@@ -40,6 +42,12 @@ pub trait Commands: Copy + 'static {
 /// One line for each area, in the order of menus: the variant, its commands, and the name of the menu in the catalogue of words.
 macro_rules! areas {
     ($($area:ident($commands:ty) = $word:literal),+ $(,)?) => {
+        $(impl From<$commands> for Command {
+            fn from(command: $commands) -> Self {
+                Self::$area(command)
+            }
+        })+
+
         /// A command of any area.
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
         pub enum Command {
@@ -89,6 +97,7 @@ areas! {
     Scene(SceneCommand) = "menu-scene",
     Step(StepCommand) = "menu-step",
     View(ViewCommand) = "menu-view",
+    Help(HelpCommand) = "menu-help",
 }
 
 impl Command {
