@@ -1,7 +1,7 @@
 //! The thin layer between the workbench and the system's window.
 
-use super::layout::Shares;
-use super::workbench::Workbench;
+use crate::app::frame::layout::Shares;
+use crate::app::workbench::Workbench;
 use crate::folder::Outside;
 use eframe::{CreationContext, Frame, NativeOptions, Storage};
 use egui::{Ui, ViewportBuilder};

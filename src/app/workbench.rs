@@ -1,16 +1,16 @@
 //! The state of the workbench: what is open, what is recorded, what is selected.
 
-use super::accuracy_window::{AccuracyWindow, Wish};
-use super::effects_window::EffectsWindow;
-use super::file_dialog::FileDialog;
-use super::image_panel::ImagePanel;
-use super::layout::Shares;
-use super::plots_panel::PlotsPanel;
-use super::recording::Recording;
-use super::renderer::Renderer;
-use super::scene_menu::SceneMenu;
-use super::side_panel::SidePanel;
-use super::theme;
+use crate::app::accuracy::window::{AccuracyWindow, Wish};
+use crate::app::drawings::plots::PlotsPanel;
+use crate::app::drawings::side::SidePanel;
+use crate::app::effects::window::EffectsWindow;
+use crate::app::frame::file_dialog::FileDialog;
+use crate::app::frame::layout::Shares;
+use crate::app::frame::scene_menu::SceneMenu;
+use crate::app::frame::theme;
+use crate::app::picture::panel::ImagePanel;
+use crate::app::picture::renderer::Renderer;
+use crate::app::story::recording::Recording;
 use crate::folder::{Outside, files_of_scene};
 use crate::record::EventId;
 use crate::scene::{Effects, EmbeddedScene, Profile, Scene, embedded_scene, embedded_scenes, load_with};
@@ -58,18 +58,18 @@ impl OpenScene {
 
 /// The state of the workbench.
 pub struct Workbench {
-    pub(super) open: Option<OpenScene>,
-    pub(super) problem: Option<Problem>,
-    pub(super) recording: Option<Recording>,
-    pub(super) renderer: Renderer,
-    pub(super) menu: SceneMenu,
-    pub(super) dialog: FileDialog,
-    pub(super) image: ImagePanel,
-    pub(super) side: SidePanel,
-    pub(super) plots: PlotsPanel,
-    pub(super) effects: EffectsWindow,
-    pub(super) accuracy: AccuracyWindow,
-    pub(super) shares: Shares,
+    pub(in crate::app) open: Option<OpenScene>,
+    pub(in crate::app) problem: Option<Problem>,
+    pub(in crate::app) recording: Option<Recording>,
+    pub(in crate::app) renderer: Renderer,
+    pub(in crate::app) menu: SceneMenu,
+    pub(in crate::app) dialog: FileDialog,
+    pub(in crate::app) image: ImagePanel,
+    pub(in crate::app) side: SidePanel,
+    pub(in crate::app) plots: PlotsPanel,
+    pub(in crate::app) effects: EffectsWindow,
+    pub(in crate::app) accuracy: AccuracyWindow,
+    pub(in crate::app) shares: Shares,
     outside: Outside,
 }
 
@@ -152,7 +152,7 @@ impl Workbench {
     }
 
     /// Switches effects on and off: the picture is rendered and the pixel recorded anew.
-    pub(super) fn switch(&mut self, ctx: &Context, effects: Effects) {
+    pub(in crate::app) fn switch(&mut self, ctx: &Context, effects: Effects) {
         let Some(open) = &mut self.open else { return };
         open.scene = Arc::new(open.looked_at().with_effects(effects));
         self.renew(ctx);
@@ -176,7 +176,7 @@ impl Workbench {
     }
 
     /// Does what the accuracy window asks for.
-    pub(super) fn grant(&mut self, ctx: &Context, wish: Wish) {
+    pub(in crate::app) fn grant(&mut self, ctx: &Context, wish: Wish) {
         match wish {
             Wish::Look(name, profile) => self.look(ctx, Some(Look { name, profile })),
             Wish::AsItStands => self.look(ctx, None),
@@ -245,7 +245,7 @@ impl Workbench {
     }
 
     /// Opens what was dropped on the window or chosen in the dialogue.
-    pub(super) fn take_files(&mut self, ctx: &Context) {
+    pub(in crate::app) fn take_files(&mut self, ctx: &Context) {
         if let Some(path) = self.dialog.chosen() {
             self.open_scene(ctx, &path.display().to_string());
         }

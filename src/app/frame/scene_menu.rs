@@ -1,6 +1,6 @@
 //! Choosing a scene: the embedded ones by topic, or a file.
 
-use super::theme::Palette;
+use crate::app::frame::theme::Palette;
 use crate::scene::{embedded_scenes, load};
 use egui::{RichText, ScrollArea, Ui};
 

@@ -1,8 +1,8 @@
 //! The stepper: seven buttons, each with a picture, a word and a key.
 
-use super::recording::Recording;
-use super::stepper::Step;
-use super::theme::Palette;
+use crate::app::frame::theme::Palette;
+use crate::app::story::recording::Recording;
+use crate::app::story::stepper::Step;
 use egui::{
     Align2, Color32, FontId, Painter, Pos2, Rect, Response, Role, Sense, Shape, Stroke, StrokeKind, Ui, WidgetInfo,
     pos2, vec2,

@@ -1,10 +1,10 @@
 //! The picture: hover to read a pixel, click to record it, arrow keys to go to its neighbours.
 
-use super::overlay::{draw_crosshair, draw_hits};
-use super::placement::Placement;
-use super::reading::Reading;
-use super::recording::Recording;
-use super::theme::Palette;
+use crate::app::frame::theme::Palette;
+use crate::app::picture::overlay::{draw_crosshair, draw_hits};
+use crate::app::picture::placement::Placement;
+use crate::app::picture::reading::Reading;
+use crate::app::story::recording::Recording;
 use crate::scene::Scene;
 use egui::{
     Color32, EventFilter, Key, Pos2, Rect, Response, Role, Sense, Stroke, StrokeKind, TextureHandle, Ui, Vec2,

@@ -1,13 +1,17 @@
 //! The window on `egui` alone: where the panels lie, and what a click in one does to the others.
 
-use super::image_panel::ImageView;
-use super::panel::{empty, panel};
-use super::renderer::Renderer;
-use super::scene_menu::Choice;
-use super::split::{Direction, GAP, split};
-use super::theme::Palette;
-use super::workbench::{OpenScene, Workbench};
-use super::{detail_panel, problem, toolbar, top_bar, tree_panel};
+use crate::app::frame::panel::{empty, panel};
+use crate::app::frame::problem;
+use crate::app::frame::scene_menu::Choice;
+use crate::app::frame::split::{Direction, GAP, split};
+use crate::app::frame::theme::Palette;
+use crate::app::frame::top_bar;
+use crate::app::picture::panel::ImageView;
+use crate::app::picture::renderer::Renderer;
+use crate::app::story::detail as detail_panel;
+use crate::app::story::panel as tree_panel;
+use crate::app::story::toolbar;
+use crate::app::workbench::{OpenScene, Workbench};
 use crate::record::Effect;
 use crate::scene::Scene;
 use egui::{Context, Rect, RichText, Ui, UiBuilder};

@@ -1,10 +1,10 @@
 //! Interval bars, the sign plot of d(t), and the drawing of what else happened: what a surface carries, a lens, wavelengths, a medium;
 //! all for the selected event.
 
-use super::canvas::Canvas;
-use super::panel::empty;
-use super::recording::Recording;
-use super::theme::drawing_theme;
+use crate::app::drawings::canvas::Canvas;
+use crate::app::frame::panel::empty;
+use crate::app::frame::theme::drawing_theme;
+use crate::app::story::recording::Recording;
 use crate::record::EventId;
 use crate::scene::Scene;
 use crate::trace::RayTree;

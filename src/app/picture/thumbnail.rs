@@ -1,7 +1,7 @@
 //! Small pictures that grow under the pointer.
 
-use super::renderer::SAMPLING;
-use super::theme::Palette;
+use crate::app::frame::theme::Palette;
+use crate::app::picture::renderer::SAMPLING;
 use crate::trace::Picture;
 use egui::{
     Color32, ColorImage, Context, Rect, Response, Sense, Stroke, StrokeKind, TextureHandle, Ui, Vec2, pos2, vec2,

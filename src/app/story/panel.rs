@@ -1,8 +1,8 @@
 //! The ray's story as an outline: one line for each event, laid out only where it is seen.
 
-use super::panel::empty;
-use super::recording::Recording;
-use super::theme::Palette;
+use crate::app::frame::panel::empty;
+use crate::app::frame::theme::Palette;
+use crate::app::story::recording::Recording;
 use crate::record::EventId;
 use crate::view::{Row, row};
 use egui::{
@@ -182,8 +182,8 @@ fn keys(ui: &Ui, recording: &mut Recording, whole: &Response) {
     match recording.outline.is_open(id) {
         Some(true) if pressed(Key::ArrowLeft) => recording.set_open(id, false),
         Some(false) if pressed(Key::ArrowRight) => recording.set_open(id, true),
-        _ if pressed(Key::ArrowLeft) => recording.step(super::stepper::Step::Out),
-        _ if pressed(Key::ArrowRight) => recording.step(super::stepper::Step::Into),
+        _ if pressed(Key::ArrowLeft) => recording.step(crate::app::story::stepper::Step::Out),
+        _ if pressed(Key::ArrowRight) => recording.step(crate::app::story::stepper::Step::Into),
         _ => {}
     }
 }

@@ -1,8 +1,8 @@
 //! The bar at the top: which scene, what it shows, which pixels to try, light or dark.
 
-use super::scene_menu::{Choice, SceneMenu};
-use super::theme::{Palette, bold};
-use super::workbench::OpenScene;
+use crate::app::frame::scene_menu::{Choice, SceneMenu};
+use crate::app::frame::theme::{Palette, bold};
+use crate::app::workbench::OpenScene;
 use egui::text::LayoutJob;
 use egui::{
     Align, Button, Color32, FontId, Galley, Label, Layout, RichText, Stroke, TextStyle, ThemePreference, Ui, UiBuilder,

@@ -1,9 +1,9 @@
 //! The side view: the scene cut open along the ray, with everything up to the selected event drawn in.
 
-use super::canvas::Canvas;
-use super::panel::empty;
-use super::recording::Recording;
-use super::theme::drawing_theme;
+use crate::app::drawings::canvas::Canvas;
+use crate::app::frame::panel::empty;
+use crate::app::frame::theme::drawing_theme;
+use crate::app::story::recording::Recording;
 use crate::record::EventId;
 use crate::scene::Scene;
 use crate::trace::RayTree;

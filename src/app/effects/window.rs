@@ -1,9 +1,9 @@
 //! The effects of the scene: a switch for each that it calls for, what it costs, and the picture without it.
 
-use super::ledger_job::LedgerJob;
-use super::theme::{Palette, bold};
-use super::thumbnail::{difference, texture, thumbnail};
-use super::workbench::OpenScene;
+use crate::app::effects::job::LedgerJob;
+use crate::app::frame::theme::{Palette, bold};
+use crate::app::picture::thumbnail::{difference, texture, thumbnail};
+use crate::app::workbench::OpenScene;
 use crate::ledger::{Ledger, Price, Row};
 use crate::record::Effect;
 use crate::scene::{Effects, Reason, Scene, reasons};

@@ -1,7 +1,7 @@
 //! The recorded pixel that all panels look at, and the one selection that they share.
 
-use super::outline::Outline;
-use super::stepper::Step;
+use crate::app::story::outline::Outline;
+use crate::app::story::stepper::Step;
 use crate::record::{EventId, RayKind, What};
 use crate::scene::Scene;
 use crate::shape::Method;

@@ -1,7 +1,7 @@
 //! What is wrong with a scene that could not be opened.
 
-use super::theme::Palette;
-use super::workbench::{OpenScene, Problem};
+use crate::app::frame::theme::Palette;
+use crate::app::workbench::{OpenScene, Problem};
 use egui::{Align, CornerRadius, Label, Layout, Rect, RichText, ScrollArea, Stroke, StrokeKind, Ui, UiBuilder};
 
 /// Height of a line of the message, in points.

@@ -1,9 +1,9 @@
 //! What accuracy costs in time: of the whole image, and of the selected ray.
 
-use super::accuracy_image::ImageScope;
-use super::accuracy_ray::RayScope;
-use super::recording::Recording;
-use super::workbench::OpenScene;
+use crate::app::accuracy::image::ImageScope;
+use crate::app::accuracy::ray::RayScope;
+use crate::app::story::recording::Recording;
+use crate::app::workbench::OpenScene;
 use crate::record::EventId;
 use crate::scene::Profile;
 use crate::shape::Method;

@@ -1,10 +1,10 @@
 //! The accuracy of the whole image: error against seconds, filling in while it is measured, and maps of the chosen setting.
 
-use super::accuracy_chart::{Chart, MapOf, View};
-use super::accuracy_point::{Shown, chosen_point, list};
-use super::accuracy_window::Wish;
-use super::background::Background;
-use super::workbench::OpenScene;
+use crate::app::accuracy::chart::{Chart, MapOf, View};
+use crate::app::accuracy::point::{Shown, chosen_point, list};
+use crate::app::accuracy::window::Wish;
+use crate::app::frame::background::Background;
+use crate::app::workbench::OpenScene;
 use crate::cpu_time;
 use crate::laboratory::{MapKind, NoStore, Plan, Study, Tools, study};
 use crate::scene::Scene;

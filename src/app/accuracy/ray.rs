@@ -1,11 +1,11 @@
 //! The accuracy of the selected ray: what each method takes for it, how many digits it gets right, and where it loses them.
 
-use super::accuracy_window::Wish;
-use super::background::Background;
-use super::panel::empty;
-use super::recording::Recording;
-use super::theme::{Palette, bold};
-use super::workbench::OpenScene;
+use crate::app::accuracy::window::Wish;
+use crate::app::frame::background::Background;
+use crate::app::frame::panel::empty;
+use crate::app::frame::theme::{Palette, bold};
+use crate::app::story::recording::Recording;
+use crate::app::workbench::OpenScene;
 use crate::cpu_time;
 use crate::laboratory::{Story, Target, ThisRay, Timing, this_ray, time_methods};
 use crate::record::EventId;

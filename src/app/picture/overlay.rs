@@ -1,8 +1,8 @@
 //! What is drawn over the picture: the recorded pixel, and the hits of its rays.
 
-use super::placement::Placement;
-use super::recording::{HitMark, Recording};
-use super::theme::colour;
+use crate::app::frame::theme::colour;
+use crate::app::picture::placement::Placement;
+use crate::app::story::recording::{HitMark, Recording};
 use crate::record::RayKind;
 use crate::scene::Scene;
 use egui::{Color32, Painter, Rect, Stroke, StrokeKind, vec2};

@@ -1,8 +1,8 @@
 //! The large drawing of the accuracy window: the plot, or a map.
 
-use super::background::Background;
-use super::canvas::Canvas;
-use super::theme::{Palette, drawing_theme};
+use crate::app::drawings::canvas::Canvas;
+use crate::app::frame::background::Background;
+use crate::app::frame::theme::{Palette, drawing_theme};
 use crate::laboratory::{MapKind, Point, Study, digits_map, error_map, plot, tier_map, time_map};
 use crate::scene::{Image, Scene};
 use crate::trace::Progress;

@@ -1,8 +1,8 @@
 //! The settings of a study as a list, and the chosen one: its picture beside the scene's, its figures, and what to choose instead.
 
-use super::accuracy_window::Wish;
-use super::theme::{Palette, bold};
-use super::thumbnail::{difference, texture, thumbnail};
+use crate::app::accuracy::window::Wish;
+use crate::app::frame::theme::{Palette, bold};
+use crate::app::picture::thumbnail::{difference, texture, thumbnail};
 use crate::laboratory::{Point, Study};
 use crate::view::{brief, seconds, significant};
 use egui::{Button, Context, FontFamily, Grid, Label, Response, RichText, TextureHandle, Ui};

@@ -1,6 +1,6 @@
 //! The frame that every panel of the workbench stands in: a card with a header line and room for its tools.
 
-use super::theme::{PADDING, Palette, bold};
+use crate::app::frame::theme::{PADDING, Palette, bold};
 use egui::{Align, CornerRadius, Layout, Rect, RichText, Stroke, StrokeKind, Ui, UiBuilder, vec2};
 
 /// Height of a panel's header, in points.

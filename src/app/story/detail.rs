@@ -1,8 +1,8 @@
 //! The selected event in full: what it is, its formulas with this ray's numbers, its tables, and the line of source.
 
-use super::panel::empty;
-use super::recording::Recording;
-use super::theme::{PADDING, Palette};
+use crate::app::frame::panel::empty;
+use crate::app::frame::theme::{PADDING, Palette};
+use crate::app::story::recording::Recording;
 use crate::view::{DetailLine, detail};
 use egui::{Frame, Grid, Label, Margin, RichText, ScrollArea, TextStyle, Ui};
 
