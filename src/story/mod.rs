@@ -7,6 +7,8 @@ mod filter;
 mod index;
 mod kind;
 mod level;
+#[cfg(test)]
+mod levels_tests;
 mod outline;
 mod play;
 mod shown;
