@@ -5,15 +5,25 @@
 //! made of it.
 
 mod accuracy;
+mod command;
+mod dock;
 mod drawings;
 mod effects;
 mod frame;
+mod kept;
+mod layout;
+mod pane;
+mod panes;
 mod picture;
+mod settings;
 mod story;
 mod window;
 mod workbench;
 
-pub use frame::layout::Shares;
+pub use command::{Command, Commands, SceneCommand, StepCommand, ViewCommand};
+pub use dock::{Dock, Preset};
+pub use pane::Pane;
+pub use settings::Settings;
 pub use story::outline::Outline;
 pub use story::recording::{HitMark, Recording};
 pub use story::stepper::Step;

@@ -1,15 +1,19 @@
 //! The state of the workbench: what is open, what is recorded, what is selected.
 
-use crate::app::accuracy::window::{AccuracyWindow, Wish};
+use crate::app::accuracy::pane::{AccuracyPane, Wish};
+use crate::app::command::Command;
+use crate::app::dock::Dock;
 use crate::app::drawings::plots::PlotsPanel;
 use crate::app::drawings::side::SidePanel;
-use crate::app::effects::window::EffectsWindow;
+use crate::app::effects::pane::EffectsPane;
 use crate::app::frame::file_dialog::FileDialog;
-use crate::app::frame::layout::Shares;
 use crate::app::frame::scene_menu::SceneMenu;
 use crate::app::frame::theme;
+use crate::app::kept;
+use crate::app::pane::Pane;
 use crate::app::picture::panel::ImagePanel;
 use crate::app::picture::renderer::Renderer;
+use crate::app::settings::Settings;
 use crate::app::story::recording::Recording;
 use crate::folder::{Outside, files_of_scene};
 use crate::record::EventId;
@@ -67,9 +71,11 @@ pub struct Workbench {
     pub(in crate::app) image: ImagePanel,
     pub(in crate::app) side: SidePanel,
     pub(in crate::app) plots: PlotsPanel,
-    pub(in crate::app) effects: EffectsWindow,
-    pub(in crate::app) accuracy: AccuracyWindow,
-    pub(in crate::app) shares: Shares,
+    pub(in crate::app) effects: EffectsPane,
+    pub(in crate::app) accuracy: AccuracyPane,
+    pub(in crate::app) dock: Dock,
+    pub(in crate::app) settings: Settings,
+    ctx: Context,
     outside: Outside,
 }
 
@@ -88,9 +94,11 @@ impl Workbench {
             image: ImagePanel::default(),
             side: SidePanel::default(),
             plots: PlotsPanel::default(),
-            effects: EffectsWindow::default(),
-            accuracy: AccuracyWindow::default(),
-            shares: Shares::default(),
+            effects: EffectsPane::default(),
+            accuracy: AccuracyPane::default(),
+            dock: Dock::default(),
+            settings: Settings::default(),
+            ctx: ctx.clone(),
             outside,
         };
         workbench.open_text(ctx, name, text);
@@ -192,14 +200,21 @@ impl Workbench {
         }
     }
 
-    /// Shows or hides the window of the effects.
-    pub fn toggle_effects(&mut self) {
-        self.effects.is_open = !self.effects.is_open;
+    /// Brings a panel to the front.
+    pub fn reveal(&mut self, pane: Pane) {
+        self.dock.reveal(pane);
     }
 
-    /// Shows or hides the window of what accuracy costs.
-    pub fn toggle_accuracy(&mut self) {
-        self.accuracy.is_open = !self.accuracy.is_open;
+    /// Runs a command, as its menu or key does.
+    pub fn run(&mut self, command: Command) {
+        let ctx = self.ctx();
+        command.run(self, &ctx);
+    }
+
+    /// What the workbench is shown in.
+    #[must_use]
+    pub fn ctx(&self) -> Context {
+        self.ctx.clone()
     }
 
     /// The scene that is open.
@@ -226,15 +241,29 @@ impl Workbench {
         self.renderer.finished()
     }
 
-    /// How the window is divided.
+    /// Where the panels lie.
     #[must_use]
-    pub fn shares(&self) -> Shares {
-        self.shares
+    pub const fn dock(&self) -> &Dock {
+        &self.dock
     }
 
-    /// Divides the window.
-    pub fn set_shares(&mut self, shares: Shares) {
-        self.shares = shares;
+    /// What a person has set.
+    #[must_use]
+    pub const fn settings(&self) -> Settings {
+        self.settings
+    }
+
+    /// What is kept from one start to the next, as text.
+    #[must_use]
+    pub fn keep(&self) -> String {
+        kept::write(&self.dock, self.settings)
+    }
+
+    /// Takes up what was kept. A text that makes no sense is passed over.
+    pub fn take_up(&mut self, text: &str) {
+        if let Some((dock, settings)) = kept::read(text) {
+            (self.dock, self.settings) = (dock, settings);
+        }
     }
 
     /// Selects an event of the recorded pixel.

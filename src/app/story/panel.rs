@@ -1,6 +1,6 @@
 //! The ray's story as an outline: one line for each event, laid out only where it is seen.
 
-use crate::app::frame::panel::empty;
+use crate::app::frame::empty::empty;
 use crate::app::frame::theme::Palette;
 use crate::app::story::recording::Recording;
 use crate::record::EventId;

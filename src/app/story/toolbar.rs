@@ -11,13 +11,13 @@ use egui::{
 /// Height of the toolbar, in points.
 pub const HEIGHT: f32 = 50.0;
 
-/// Shows the buttons and listens to their keys.
+/// Shows the buttons.
 pub fn ui(ui: &mut Ui, recording: Option<&mut Recording>) {
     let moves = Step::ALL.map(|step| {
         let target = recording.as_ref().and_then(|recording| step.target(&recording.tree, recording.selected()));
         (step, target)
     });
-    let chosen = buttons(ui, &moves).or_else(|| pressed(ui));
+    let chosen = buttons(ui, &moves);
     if let (Some(recording), Some(step)) = (recording, chosen) {
         recording.step(step);
     }
@@ -63,17 +63,6 @@ fn button(ui: &mut Ui, step: Step, width: f32) -> Response {
     let word = pos2(rect.center().x, rect.bottom() - 11.0);
     painter.text(word, Align2::CENTER_CENTER, step.name(), FontId::proportional(12.0), palette.text);
     response
-}
-
-/// The key that was pressed, unless it is meant for a text field.
-fn pressed(ui: &Ui) -> Option<Step> {
-    if ui.ctx().text_edit_focused() {
-        return None;
-    }
-    ui.input(|input| {
-        let plain = !input.modifiers.command && !input.modifiers.alt;
-        Step::ALL.into_iter().find(|step| plain && input.key_pressed(step.key()))
-    })
 }
 
 fn key_name(step: Step) -> &'static str {
