@@ -16,6 +16,7 @@ impl Workbench {
         let ctx = ui.ctx().clone();
         self.settings.apply(&ctx, self.dock.preset().magnification());
         self.take_files(&ctx);
+        self.advance_story(&ctx);
         if let Some(command) = command::pressed(&ctx, self) {
             command.run(self, &ctx);
         }

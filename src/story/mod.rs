@@ -3,6 +3,7 @@
 //! A tree is worked through once ([`Index`]); after that every move is a search in a sorted list, however many events
 //! there are.
 
+mod breakpoint;
 mod filter;
 mod index;
 mod kind;
@@ -17,7 +18,9 @@ mod step;
 mod story;
 #[cfg(test)]
 mod testing;
+mod until;
 
+pub use breakpoint::{Breakpoint, Breakpoints};
 pub use filter::Filter;
 pub use index::{Index, Scope};
 pub use kind::Kind;
@@ -28,3 +31,4 @@ pub use shown::Shown;
 pub use skip::{Cut, Skip, all_skips, cut, skips};
 pub use step::Step;
 pub use story::{Place, Story};
+pub use until::next_pixel;

@@ -322,7 +322,7 @@ impl Strip<'_> {
     fn bracket(&mut self, ray: &Bracket, y: f64, filled: &mut f64, height: f64) {
         let (from, to) = (self.scale.edge(ray.event), self.scale.edge(ray.end));
         let to = to.max(from + 1.5);
-        if to <= *filled + 0.75 {
+        if to <= *filled + 2.0 {
             return;
         }
         let from = from.max(*filled);
