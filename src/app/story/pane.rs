@@ -62,11 +62,12 @@ fn drawer(ui: &mut Ui, workbench: &mut Workbench) {
 
 fn note(ui: &mut Ui, workbench: &mut Workbench) {
     let Some(note) = workbench.stepping.note else { return };
+    let close = say(ui.ctx(), "step-note-close");
     ui.horizontal(|ui| {
         ui.label(RichText::new(say(ui.ctx(), note)).color(Palette::current(ui.ctx()).problem));
-        let close = ui.small_button("×");
-        close.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, say(ui.ctx(), "step-note-close")));
-        if close.clicked() {
+        let button = ui.small_button("×");
+        button.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, &close));
+        if button.clicked() {
             workbench.stepping.note = None;
         }
     });

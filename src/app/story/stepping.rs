@@ -59,6 +59,8 @@ pub struct Stepping {
     recorder: Recorder,
     sifting: Option<Background<Sifted>>,
     until: Option<Background<Option<[u32; 2]>>>,
+    /// When it was last played on, by the clock of the frames.
+    played_at: Option<f64>,
     /// The next pixel that is recorded stops at its first breakpoint.
     goes_to_stop: bool,
 }
@@ -203,7 +205,10 @@ impl Workbench {
     fn play_on(&mut self, ctx: &Context) {
         let player = &mut self.stepping.player;
         let Some(recording) = self.recording.as_mut().filter(|_| player.is_playing()) else { return };
-        let steps = player.advance(f64::from(ctx.input(|input| input.stable_dt)));
+        // Frames come when something is to be done, so that only the time itself says how long ago the last one was.
+        let now = ctx.input(|input| input.time);
+        let passed = self.stepping.played_at.replace(now).map_or(0.0, |before| now - before);
+        let steps = player.advance(passed);
         if steps > 0 && recording.change(|story| story.play(steps)) {
             player.set_playing(false);
         } else {
@@ -216,6 +221,7 @@ impl Workbench {
         let Some(recording) = &mut self.recording else { return };
         let player = &mut self.stepping.player;
         player.set_playing(!player.is_playing());
+        self.stepping.played_at = None;
         if player.is_playing() && recording.story().target(Step::Next).is_none() {
             recording.step(Step::First);
         }
