@@ -40,6 +40,7 @@ mod sign_plot;
 mod snell_diagram;
 mod svg;
 mod text;
+mod timeline;
 mod wireframe;
 
 pub use csg_bars::csg_bars;
@@ -63,4 +64,5 @@ pub use sign_plot::{ProbedSigns, SignPlotLayout, SignProbe, probed_sign_plot, si
 pub use snell_diagram::snell_diagram;
 pub use svg::svg;
 pub use text::{Detail, DetailLine, Row, brief, brief_vector, detail, row, significant, span_list, tree_text};
+pub use timeline::{TimelineScale, timeline};
 pub use wireframe::{WireLine, Wireframe};
