@@ -6,7 +6,7 @@ use crate::view::readable::assert_readable;
 use crate::view::sample::{Sketch, every_kind};
 use crate::view::sample_effects as effects;
 use crate::view::sample_texture as sample;
-use crate::view::{Form, Frame, Spot};
+use crate::view::{Form, Spot};
 
 const SIZE: [f64; 2] = [620.0, 380.0];
 
@@ -202,8 +202,11 @@ fn texels_are_filled_with_their_colours_and_stand_for_their_event() {
             _ => None,
         })
         .collect();
-    let expected =
-        sample::texels().texels.iter().map(|share| (sheet::shown(share.colour), Some(1))).collect::<Vec<_>>();
+    let expected = sample::texels()
+        .texels
+        .iter()
+        .map(|share| (crate::view::sheet::shown(share.colour), Some(1)))
+        .collect::<Vec<_>>();
     assert_eq!(fills, expected);
     let weights = ["0.375", "0.0625"].map(|weight| drawing.texts().filter(|text| text.text == weight).count());
     assert_eq!(weights, [2, 4]);
