@@ -12,7 +12,7 @@ use super::fonts::{Face, text_width};
 use super::interval_bars::range;
 use super::labels::{Label, shortened};
 use super::palette::{Colour, Theme};
-use super::sheet::{SMALL, Sheet, TEXT};
+use super::sheet::{SMALL, Sheet, TEXT, is_roomy};
 use super::text::{brief, times};
 use crate::record::{EventId, Span, What};
 use crate::scene::Scene;
@@ -52,8 +52,10 @@ pub fn csg_bars(
     sheet.drawing.description = description(name, ray, &rows, hit);
     let lists: Vec<&[Span]> = rows.iter().filter_map(|row| row.spans.as_deref().ok()).collect();
     let lit = lit(&story, &rows, selected);
-    let mut bars = Bars::new(room, &rows, range(&lists, hit), lit);
-    bars.draw(&mut sheet, &rows, hit, probe_t);
+    if is_roomy(&room) {
+        let bars = Bars::new(room, &rows, range(&lists, hit), lit);
+        bars.draw(&mut sheet, &rows, hit, probe_t);
+    }
     Some(sheet.drawing)
 }
 
@@ -114,7 +116,7 @@ impl Bars {
         self.room.low[1] + self.pitch * self.shown as f64 + 2.0
     }
 
-    fn draw(&mut self, sheet: &mut Sheet, rows: &[Row], hit: Option<(EventId, f64)>, probe_t: Option<f64>) {
+    fn draw(&self, sheet: &mut Sheet, rows: &[Row], hit: Option<(EventId, f64)>, probe_t: Option<f64>) {
         let visible = self.first..self.first + self.shown;
         if let Some(index) = self.lit.filter(|index| visible.contains(index)) {
             self.light(sheet, index, rows[index].event);

@@ -224,7 +224,7 @@ impl Subject<'_> {
         let next = place(self.at.point(t + 1e-3 / self.at.direction.length()));
         let way = [next[0] - at[0], next[1] - at[1]];
         let length = super::drawing::length(way);
-        if !(length > 1e-9) {
+        if length.is_nan() || length <= 1e-9 {
             return;
         }
         let back = |points: f64| std::array::from_fn(|i| at[i] - way[i] / length * points);

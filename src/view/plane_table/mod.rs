@@ -121,6 +121,9 @@ impl Table<'_> {
 
     fn draw(&self, sheet: &mut Sheet, room: Frame) -> Vec<Frame> {
         let [width, height] = room.size();
+        if width < 90.0 || height < 5.0 * PITCH[0] {
+            return Vec::new();
+        }
         let columns = Column::that_fit(width);
         let tight = if width < 380.0 { 0.8 } else { 1.0 };
         let wide = |column: &Column| tight * column.width();

@@ -143,10 +143,12 @@ impl Plot {
     pub(super) fn description(&self, equation: &str, roots: &[f64], signs: &[SignSpan]) -> String {
         let mut text = format!("d(t) = F(S + c t) along the ray, with F = {equation}.");
         let zeros: Vec<String> = roots.iter().map(|root| format_number(*root)).collect();
-        match zeros.is_empty() {
-            true => text.push_str(" It is nowhere zero."),
-            false => text.push_str(&format!(" It is zero at t = {}.", zeros.join(", "))),
-        }
+        let zeros = if zeros.is_empty() {
+            " It is nowhere zero.".to_owned()
+        } else {
+            format!(" It is zero at t = {}.", zeros.join(", "))
+        };
+        text.push_str(&zeros);
         for span in signs {
             let side = if span.sign == Sign::Positive { "positive, outside" } else { "negative, inside" };
             let from = span.from.map_or("−∞".to_owned(), format_number);
