@@ -20,6 +20,7 @@ use crate::scene::Scene;
 use crate::shape::{Bounds, Primitive};
 use crate::trace::RayTree;
 use glam::DVec3;
+use std::fmt::Write as _;
 
 /// Which of the two halves is shown where there is no room for both.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -135,7 +136,7 @@ impl Subject<'_> {
         for stop in self.stops() {
             let fate = if stop.accepted { "a hit" } else { "no hit of it" };
             let point = brief_vector(stop.point.to_array());
-            text.push_str(&format!(" At t = {} it is at {point}, {fate}", format_number(stop.t)));
+            let _ = write!(text, " At t = {} it is at {point}, {fate}", format_number(stop.t));
             let normal = brief_vector(stop.normal.to_array());
             text.push_str(&if stop.accepted { format!(" with the normal {normal}.") } else { ".".to_owned() });
         }
@@ -144,7 +145,7 @@ impl Subject<'_> {
         }
         if let Some(t) = self.probe_t {
             let point = brief_vector(at.point(t).to_array());
-            text.push_str(&format!(" At the marked t = {} it is at {point}, where d = {}.", brief(t), brief(at.d(t))));
+            let _ = write!(text, " At the marked t = {} it is at {point}, where d = {}.", brief(t), brief(at.d(t)));
         }
         text
     }

@@ -14,6 +14,7 @@ use super::labels::{Label, shortened};
 use super::palette::{Palette, Theme};
 use super::text::brief;
 use colours::{Paint, SHADES};
+use std::fmt::Write as _;
 
 /// A value for each pixel.
 ///
@@ -92,7 +93,7 @@ fn description(map: &HeatMap) -> String {
         for (class, name) in names.iter().enumerate() {
             #[expect(clippy::float_cmp, reason = "classes are whole numbers")]
             let count = map.values.iter().filter(|value| **value == class as f64).count();
-            text.push_str(&format!(" {name}: {count} pixels."));
+            let _ = write!(text, " {name}: {count} pixels.");
         }
         return text;
     }
@@ -103,7 +104,7 @@ fn description(map: &HeatMap) -> String {
         let place = format!("{}, {}", most.1 % columns.max(1), most.1 / columns.max(1));
         let [low, middle, high] = [least.0, known[known.len() / 2].0, most.0].map(brief);
         let unit = &map.unit;
-        text.push_str(&format!(" {unit}: from {low} to {high} at pixel {place}; in the middle {middle}."));
+        let _ = write!(text, " {unit}: from {low} to {high} at pixel {place}; in the middle {middle}.");
     }
     text
 }

@@ -9,6 +9,7 @@ use crate::view::fonts::Face;
 use crate::view::labels::{Label, shortened};
 use crate::view::primitive_at::PrimitiveAt;
 use crate::view::text::{brief, brief_vector};
+use std::fmt::Write as _;
 
 /// A sign plot with the place of its t axis and what was found at the time that was asked for.
 #[derive(Clone, Debug, PartialEq)]
@@ -153,10 +154,10 @@ impl Plot {
             let side = if span.sign == Sign::Positive { "positive, outside" } else { "negative, inside" };
             let from = span.from.map_or("−∞".to_owned(), format_number);
             let to = span.to.map_or("∞".to_owned(), format_number);
-            text.push_str(&format!(" From {from} to {to} it is {side}."));
+            let _ = write!(text, " From {from} to {to} it is {side}.");
         }
         if let Some(probe) = self.probe {
-            text.push_str(&format!(" Marked: {}.", probe.told()));
+            let _ = write!(text, " Marked: {}.", probe.told());
         }
         text
     }
