@@ -13,6 +13,7 @@ use crate::app::kept;
 use crate::app::pane::Pane;
 use crate::app::picture::panel::ImagePanel;
 use crate::app::picture::renderer::Renderer;
+use crate::app::search::pane::{Place, SearchPane};
 use crate::app::settings::Settings;
 use crate::app::story::recording::Recording;
 use crate::folder::{Outside, files_of_scene};
@@ -73,6 +74,7 @@ pub struct Workbench {
     pub(in crate::app) plots: PlotsPanel,
     pub(in crate::app) effects: EffectsPane,
     pub(in crate::app) accuracy: AccuracyPane,
+    pub(in crate::app) search: SearchPane,
     pub(in crate::app) dock: Dock,
     pub(in crate::app) settings: Settings,
     ctx: Context,
@@ -96,6 +98,7 @@ impl Workbench {
             plots: PlotsPanel::default(),
             effects: EffectsPane::default(),
             accuracy: AccuracyPane::default(),
+            search: SearchPane::default(),
             dock: Dock::default(),
             settings: Settings::default(),
             ctx: ctx.clone(),
@@ -264,6 +267,28 @@ impl Workbench {
         if let Some((dock, settings)) = kept::read(text) {
             (self.dock, self.settings) = (dock, settings);
         }
+    }
+
+    /// Records the pixel of a place, if it is not the recorded one, and selects its event.
+    pub(in crate::app) fn go_to(&mut self, place: Place) {
+        if self.recording.as_ref().map(|recording| recording.pixel) != Some(place.pixel) {
+            self.record(place.pixel);
+        }
+        if let Some(event) = place.event {
+            self.select(event);
+        }
+    }
+
+    /// Finding pixels, and maps.
+    #[must_use]
+    pub const fn search(&self) -> &SearchPane {
+        &self.search
+    }
+
+    /// Finds the pixels in whose stories a question holds of an event.
+    pub fn find(&mut self, question: &str) {
+        self.reveal(Pane::Search);
+        self.search.ask(question);
     }
 
     /// Selects an event of the recorded pixel.

@@ -14,9 +14,7 @@ use serde::Serialize;
 use std::fmt::Write;
 use std::path::PathBuf;
 
-/// Find the pixels in whose stories something happens
-#[derive(Args, Debug)]
-#[command(after_help = "\
+const EXAMPLES: &str = "\
 Examples:
   rayscope find optics/fishbowl tir                        pixels with a total internal reflection
   rayscope find csg/bowl 'object=bowl & csg.early_out'     an early out in the search for hits with the bowl
@@ -24,7 +22,11 @@ Examples:
   rayscope find optics/fishbowl 'pixel & !has(shadowed)' --format png -o lit.png
 
 QUERY asks for an event; a pixel is found if one of its events is such. `&` is and, `|` is or, `!` is not;
-`rayscope find --help` lists all words. `rayscope trace SCENE --pixel X,Y` then tells the whole story.", after_long_help = words())]
+`rayscope find --help` lists all words. `rayscope trace SCENE --pixel X,Y` then tells the whole story.";
+
+/// Find the pixels in whose stories something happens
+#[derive(Args, Debug)]
+#[command(after_help = EXAMPLES, after_long_help = words())]
 pub struct Find {
     #[command(flatten)]
     scene: SceneArgument,
@@ -140,9 +142,9 @@ fn map(query: &Query, search: &Search) -> HeatMap {
     }
 }
 
-/// All words of the language.
+/// The examples, and all words of the language.
 fn words() -> String {
-    let mut text = String::from("Words of QUERY:\n");
+    let mut text = format!("{EXAMPLES}\n\nWords of QUERY:\n");
     let widest = terms().map(|term| term.name.len()).max().unwrap_or(0);
     for (kind, title) in [
         (TermKind::Word, "what an event is"),

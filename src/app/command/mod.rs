@@ -4,10 +4,12 @@
 //! from [`Command::all`], so that none of them can lack one.
 
 mod scene;
+mod search;
 mod step;
 mod view;
 
 pub use scene::SceneCommand;
+pub use search::SearchCommand;
 pub use step::StepCommand;
 pub use view::ViewCommand;
 
@@ -88,6 +90,7 @@ macro_rules! areas {
 areas! {
     Scene(SceneCommand) = "menu-scene",
     Step(StepCommand) = "menu-step",
+    Search(SearchCommand) = "menu-search",
     View(ViewCommand) = "menu-view",
 }
 

@@ -44,7 +44,7 @@ const KINDS: [Colour; 8] = [
     Colour::hex(0x00_72_b2),
     Colour::hex(0xd5_5e_00),
     Colour::hex(0xcc_79_a7),
-    Colour::hex(0x99_99_99),
+    Colour::hex(0x40_40_40),
 ];
 
 /// The colour of a kind.

@@ -101,7 +101,9 @@ impl Legend<'_> {
                 return;
             }
             let number = (k + 1).to_string();
-            let frame = Frame { low: [self.room.low[0], self.y], high: [self.room.low[0] + NUMBER, self.y + LINE] };
+            // As high as a line, about the middle of the words.
+            let [top, bottom] = [-0.5, 0.5].map(|half| self.y + 0.5 * SWATCH + half * LINE);
+            let frame = Frame { low: [self.room.low[0], top], high: [self.room.low[0] + NUMBER, bottom] };
             let (fill, rim) = (Paint::Kind(k).colour(self.palette), Stroke::solid(self.palette.faint, 1.0));
             self.drawing.put(Form::Rect { frame, fill: Some(fill), stroke: Some(rim) }, None);
             signs::number(self.drawing, &number, frame.middle());

@@ -9,10 +9,10 @@ mod signs;
 #[cfg(test)]
 mod tests;
 
-use super::drawing::{Anchor, Drawing, Form, Frame, Stroke};
+use super::drawing::{Anchor, Drawing, Form, Frame, Spot, Stroke};
 use super::fonts::Face;
 use super::labels::{Label, shortened};
-use super::palette::{Palette, Theme};
+use super::palette::{Colour, Palette, Theme};
 use super::text::significant;
 use colours::{Paint, SHADES};
 use std::collections::BTreeMap;
@@ -189,6 +189,26 @@ fn worst(map: &HeatMap, [column, row]: [usize; 2], pixels: usize) -> f64 {
 }
 
 impl HeatMap {
+    /// The colour of each pixel, row by row from the top.
+    #[must_use]
+    pub fn colours(&self, theme: Theme) -> Vec<Colour> {
+        (0..self.values.len()).map(|place| Paint::at(self, place).colour(theme.palette())).collect()
+    }
+
+    /// The pixel that a drawing of the map in this size has at a place; of several in one square the upper left one.
+    #[must_use]
+    pub fn pixel_at(&self, size: [f64; 2], at: Spot) -> Option<[u32; 2]> {
+        let palette = Theme::default().palette();
+        let room = heading(&mut Drawing::new(size, palette.ground), self, palette);
+        let (frame, pixels) = squares(self, room);
+        let columns = self.size[0].max(1).div_ceil(pixels);
+        let side = frame.size()[0] / columns as f64;
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "within the frame of the map")]
+        let pixel: [usize; 2] = std::array::from_fn(|i| ((at[i] - frame.low[i]) / side).max(0.0) as usize * pixels);
+        let is_within = frame.contains(at) && (0..2).all(|i| pixel[i] < self.size[i]);
+        is_within.then(|| pixel.map(|place| u32::try_from(place).unwrap_or(u32::MAX)))
+    }
+
     /// The map in words.
     fn told(&self) -> String {
         let known = || self.values.iter().copied().filter(|value| value.is_finite());
