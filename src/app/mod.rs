@@ -10,6 +10,7 @@ mod dock;
 mod drawings;
 mod effects;
 mod frame;
+mod help;
 mod kept;
 mod layout;
 mod pane;
@@ -21,7 +22,7 @@ mod story;
 mod window;
 mod workbench;
 
-pub use command::{Command, Commands, SceneCommand, SearchCommand, StepCommand, ViewCommand};
+pub use command::{Command, Commands, HelpCommand, SceneCommand, SearchCommand, StepCommand, ViewCommand};
 pub use dock::{Dock, Preset};
 pub use pane::Pane;
 pub use settings::Settings;

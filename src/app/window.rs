@@ -30,6 +30,7 @@ impl Window {
         if let Some(kept) = creation.storage.and_then(|storage| storage.get_string(KEPT)) {
             workbench.take_up(&kept);
         }
+        workbench.offer_tour();
         Self { workbench }
     }
 }

@@ -9,6 +9,7 @@ use crate::app::effects::pane::EffectsPane;
 use crate::app::frame::file_dialog::FileDialog;
 use crate::app::frame::scene_menu::SceneMenu;
 use crate::app::frame::theme;
+use crate::app::help::Help;
 use crate::app::kept;
 use crate::app::pane::Pane;
 use crate::app::picture::panel::ImagePanel;
@@ -77,6 +78,7 @@ pub struct Workbench {
     pub(in crate::app) search: SearchPane,
     pub(in crate::app) dock: Dock,
     pub(in crate::app) settings: Settings,
+    pub(in crate::app) help: Help,
     ctx: Context,
     outside: Outside,
 }
@@ -101,6 +103,7 @@ impl Workbench {
             search: SearchPane::default(),
             dock: Dock::default(),
             settings: Settings::default(),
+            help: Help::default(),
             ctx: ctx.clone(),
             outside,
         };
@@ -206,6 +209,13 @@ impl Workbench {
     /// Brings a panel to the front.
     pub fn reveal(&mut self, pane: Pane) {
         self.dock.reveal(pane);
+    }
+
+    /// Offers the tour, unless it was taken or passed over before.
+    pub fn offer_tour(&mut self) {
+        if !self.settings.is_toured {
+            self.help = Help::tour();
+        }
     }
 
     /// Runs a command, as its menu or key does.

@@ -3,11 +3,13 @@
 //! Each area has a file with an enum of its own, which implements [`Commands`]. Menus, keys, the palette, the help and the tests are made
 //! from [`Command::all`], so that none of them can lack one.
 
+mod help;
 mod scene;
 mod search;
 mod step;
 mod view;
 
+pub use help::HelpCommand;
 pub use scene::SceneCommand;
 pub use search::SearchCommand;
 pub use step::StepCommand;
@@ -42,6 +44,12 @@ pub trait Commands: Copy + 'static {
 /// One line for each area, in the order of menus: the variant, its commands, and the name of the menu in the catalogue of words.
 macro_rules! areas {
     ($($area:ident($commands:ty) = $word:literal),+ $(,)?) => {
+        $(impl From<$commands> for Command {
+            fn from(command: $commands) -> Self {
+                Self::$area(command)
+            }
+        })+
+
         /// A command of any area.
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
         pub enum Command {
@@ -92,6 +100,7 @@ areas! {
     Step(StepCommand) = "menu-step",
     Search(SearchCommand) = "menu-search",
     View(ViewCommand) = "menu-view",
+    Help(HelpCommand) = "menu-help",
 }
 
 impl Command {

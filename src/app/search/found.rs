@@ -155,7 +155,8 @@ impl Asked {
         let text = [found.row.label.as_str(), found.row.numbers.as_str()].join("   ");
         let is_chosen = self.at == Some(at);
         let name = format!("{place} {}", text.trim_end());
-        response.widget_info(|| WidgetInfo::selected(Role::ListItem, true, is_chosen, &name));
+        response.widget_info(|| WidgetInfo::labeled(Role::ListItem, true, &name));
+        ui.ctx().accesskit_node_builder(response.id, |node| node.set_selected(is_chosen));
         let painter = ui.painter_at(rect);
         if is_chosen {
             painter.rect_filled(rect, 0.0, palette.selected);
