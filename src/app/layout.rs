@@ -17,6 +17,7 @@ impl Workbench {
         let ctx = ui.ctx().clone();
         self.settings.apply(&ctx, self.dock.preset().magnification());
         self.take_files(&ctx);
+        self.advance_story(&ctx);
         // What lies over the workbench has the keys.
         let command = if matches!(self.help, Help::None) { command::pressed(&ctx, self) } else { None };
         if let Some(command) = command {

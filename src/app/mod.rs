@@ -26,9 +26,8 @@ pub use command::{Command, Commands, HelpCommand, SceneCommand, SearchCommand, S
 pub use dock::{Dock, Preset};
 pub use pane::Pane;
 pub use settings::Settings;
-pub use story::outline::Outline;
 pub use story::recording::{HitMark, Recording};
-pub use story::stepper::Step;
+pub use story::stepping::Stepping;
 pub use workbench::{Look, OpenScene, Problem, Workbench};
 
 use crate::folder::Outside;

@@ -17,6 +17,8 @@ use crate::app::picture::renderer::Renderer;
 use crate::app::search::pane::{Place, SearchPane};
 use crate::app::settings::Settings;
 use crate::app::story::recording::Recording;
+use crate::app::story::stepping::Stepping;
+use crate::app::story::timeline::Timeline;
 use crate::folder::{Outside, files_of_scene};
 use crate::record::EventId;
 use crate::scene::{Effects, EmbeddedScene, Profile, Scene, embedded_scene, embedded_scenes, load_with};
@@ -67,6 +69,8 @@ pub struct Workbench {
     pub(in crate::app) open: Option<OpenScene>,
     pub(in crate::app) problem: Option<Problem>,
     pub(in crate::app) recording: Option<Recording>,
+    pub(in crate::app) stepping: Stepping,
+    pub(in crate::app) timeline: Timeline,
     pub(in crate::app) renderer: Renderer,
     pub(in crate::app) menu: SceneMenu,
     pub(in crate::app) dialog: FileDialog,
@@ -92,6 +96,8 @@ impl Workbench {
             open: None,
             problem: None,
             recording: None,
+            stepping: Stepping::default(),
+            timeline: Timeline::default(),
             renderer: Renderer::default(),
             menu: SceneMenu::default(),
             dialog: FileDialog::default(),
@@ -157,14 +163,6 @@ impl Workbench {
         self.problem = Some(Problem { name: name.to_owned(), text });
     }
 
-    /// Records a pixel and shows its story.
-    pub fn record(&mut self, pixel: [u32; 2]) {
-        let Some(open) = &self.open else { return };
-        let mut recording = Recording::new(&open.scene, pixel);
-        recording.select_outcome();
-        self.recording = Some(recording);
-    }
-
     /// Switches effects on and off: the picture is rendered and the pixel recorded anew.
     pub(in crate::app) fn switch(&mut self, ctx: &Context, effects: Effects) {
         let Some(open) = &mut self.open else { return };
@@ -199,7 +197,7 @@ impl Workbench {
                 let is_shown = recording.by == Some(method) && *recording.tree == *tree;
                 if !is_shown {
                     let (scene, pixel) = (Arc::clone(&recording.scene), recording.pixel);
-                    self.recording = Some(Recording::of_tree(scene, pixel, tree, Some(method)));
+                    self.show_elsewhere(Recording::of_tree(scene, pixel, tree, Some(method)));
                 }
                 self.select(event);
             }
@@ -234,6 +232,12 @@ impl Workbench {
     #[must_use]
     pub fn scene(&self) -> Option<&OpenScene> {
         self.open.as_ref()
+    }
+
+    /// How the story is stepped through.
+    #[must_use]
+    pub const fn stepping(&self) -> &Stepping {
+        &self.stepping
     }
 
     /// The recorded pixel.
