@@ -283,12 +283,23 @@ impl Workbench {
         }
     }
 
-    /// Records the pixel of a place, if it is not the recorded one, and selects its event.
+    /// Records the pixel of a place, if it is not the recorded one, and then selects its event.
     pub(in crate::app) fn go_to(&mut self, place: Place) {
-        if self.recording.as_ref().map(|recording| recording.pixel) != Some(place.pixel) {
+        let is_there = self.recording.as_ref().is_some_and(|recording| recording.pixel == place.pixel);
+        if !is_there || self.stepping.is_recording() {
             self.record(place.pixel);
         }
-        if let Some(event) = place.event {
+        self.search.awaited = Some(place);
+        self.arrive();
+    }
+
+    /// Selects the event of the place that was gone to, once its pixel is there.
+    pub(in crate::app) fn arrive(&mut self) {
+        if self.stepping.is_recording() {
+            return;
+        }
+        let Some(Place { pixel, event: Some(event) }) = self.search.awaited.take() else { return };
+        if self.recording.as_ref().is_some_and(|recording| recording.pixel == pixel) {
             self.select(event);
         }
     }

@@ -21,6 +21,8 @@ pub struct SearchPane {
     asked: Option<Asked>,
     maps: Maps,
     shown: Part,
+    /// The place that was gone to, until its pixel is recorded.
+    pub(in crate::app) awaited: Option<Place>,
     /// The names of a scene.
     names: Option<(Arc<Scene>, Vocabulary)>,
 }
