@@ -16,12 +16,13 @@ mod layout;
 mod pane;
 mod panes;
 mod picture;
+mod search;
 mod settings;
 mod story;
 mod window;
 mod workbench;
 
-pub use command::{Command, Commands, HelpCommand, SceneCommand, StepCommand, ViewCommand};
+pub use command::{Command, Commands, HelpCommand, SceneCommand, SearchCommand, StepCommand, ViewCommand};
 pub use dock::{Dock, Preset};
 pub use pane::Pane;
 pub use settings::Settings;

@@ -4,6 +4,10 @@ use super::failure::Failure;
 use super::output::Output;
 use crate::view::{self, Drawing};
 use clap::ValueEnum;
+use std::path::Path;
+
+/// Maps are this large, in points.
+pub const MAP_SIZE: [f64; 2] = [900.0, 560.0];
 
 /// PNGs have two pixels a point.
 const PIXELS_PER_POINT: f32 = 2.0;
@@ -42,6 +46,25 @@ pub fn check_png_has_a_file(output: &Output) -> Result<(), Failure> {
         return Err(Failure::usage("a PNG is no text for a terminal; name a file with -o"));
     }
     Ok(())
+}
+
+/// Where one drawing goes: a PNG where the name of the file ends so, else an SVG.
+pub struct DrawingOutput {
+    output: Output,
+    is_png: bool,
+}
+
+impl DrawingOutput {
+    /// Opens it, so that a wrong path is found out before the work begins.
+    pub fn create(path: Option<&Path>) -> Result<Self, Failure> {
+        let is_png = path.and_then(Path::extension).is_some_and(|ending| ending == "png");
+        Ok(Self { output: Output::create(path)?, is_png })
+    }
+
+    /// Writes the drawing.
+    pub fn write(self, drawing: &Drawing) -> Result<(), Failure> {
+        self.output.write(&if self.is_png { png(drawing) } else { svg(drawing) })
+    }
 }
 
 /// A text that ends its last line.

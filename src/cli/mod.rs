@@ -7,7 +7,9 @@ mod drawn;
 mod effects;
 mod export;
 mod failure;
+mod find;
 mod frames;
+mod map;
 mod open;
 mod output;
 mod probe;
@@ -35,6 +37,8 @@ Examples:
   rayscope open scenes/csg/bowl.json            open it on a scene of your own
   rayscope render csg/bowl -o bowl.png          render a picture
   rayscope trace csg/bowl --pixel 320,240       print everything that a pixel's ray did
+  rayscope find optics/fishbowl tir             list the pixels with total internal reflection
+  rayscope map optics/fishbowl --of rays -o rays.png    show how many rays each pixel sends
   rayscope effects optics/fishbowl              say what each effect of a scene costs
   rayscope accuracy lights/soft_shadows         say what accuracy costs in time
   rayscope scan textures/scanning               texture scanning beside inverse scanning
@@ -65,6 +69,8 @@ enum Command {
     Open(open::Open),
     Render(render::Render),
     Trace(trace::Trace),
+    Find(find::Find),
+    Map(map::Map),
     Scan(scan::Scan),
     Effects(effects::Effects),
     Accuracy(accuracy::Accuracy),
@@ -88,6 +94,8 @@ pub fn run() -> ExitCode {
         Some(Command::Open(open)) => open.run(),
         Some(Command::Render(render)) => render.run(),
         Some(Command::Trace(trace)) => trace.run(),
+        Some(Command::Find(find)) => find.run(),
+        Some(Command::Map(map)) => map.run(),
         Some(Command::Scan(scan)) => scan.run(),
         Some(Command::Effects(effects)) => effects.run(),
         Some(Command::Accuracy(accuracy)) => accuracy.run(),

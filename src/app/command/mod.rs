@@ -5,11 +5,13 @@
 
 mod help;
 mod scene;
+mod search;
 mod step;
 mod view;
 
 pub use help::HelpCommand;
 pub use scene::SceneCommand;
+pub use search::SearchCommand;
 pub use step::StepCommand;
 pub use view::ViewCommand;
 
@@ -96,6 +98,7 @@ macro_rules! areas {
 areas! {
     Scene(SceneCommand) = "menu-scene",
     Step(StepCommand) = "menu-step",
+    Search(SearchCommand) = "menu-search",
     View(ViewCommand) = "menu-view",
     Help(HelpCommand) = "menu-help",
 }

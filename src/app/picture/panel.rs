@@ -29,6 +29,10 @@ pub struct ImageView<'a> {
     pub texture: Option<TextureHandle>,
     /// The recorded pixel.
     pub recording: Option<&'a Recording>,
+    /// What lies over the picture, the lowest first.
+    pub layers: &'a [TextureHandle],
+    /// What is told of a pixel besides its colour.
+    pub told: &'a dyn Fn([u32; 2]) -> Option<String>,
 }
 
 impl ImagePanel {
@@ -60,6 +64,9 @@ impl ImagePanel {
                 painter.rect_filled(place.rect, 0.0, palette.panel);
             }
         }
+        for layer in view.layers {
+            painter.image(layer.id(), place.rect, unit_square(), Color32::WHITE);
+        }
         painter.rect_stroke(place.rect, 0.0, Stroke::new(1.0, palette.edge), StrokeKind::Outside);
         if let Some(recording) = view.recording {
             draw_hits(&painter, view.scene, &place, recording);
@@ -86,7 +93,10 @@ impl ImagePanel {
         let palette = Palette::current(ui.ctx());
         let focused = view.recording.map(|recording| recording.pixel);
         let (text, swatch) = match (&self.reading, focused) {
-            (Some(reading), _) => (reading.text(), Some(reading.srgb())),
+            (Some(reading), _) => {
+                let told = (view.told)(reading.pixel).map(|told| format!(" · {told}")).unwrap_or_default();
+                (reading.text() + &told, Some(reading.srgb()))
+            }
             (None, Some([x, y])) => (say_with(ui.ctx(), "picture-recorded", &[("x", x.into()), ("y", y.into())]), None),
             (None, None) => (say(ui.ctx(), "picture-none"), None),
         };
