@@ -6,6 +6,7 @@ mod align;
 mod departure;
 mod difference;
 mod fields;
+pub mod foreign;
 mod name;
 #[cfg(test)]
 mod tests;
