@@ -16,6 +16,7 @@ mod log_plot;
 mod marks_text;
 mod paint;
 mod palette;
+mod pdf;
 #[cfg(test)]
 mod sample;
 #[cfg(test)]
@@ -40,6 +41,7 @@ pub use interval_bars::interval_bars;
 pub use log_plot::{Curve, LogPlot, Panel, Scale, log_plot};
 pub use paint::{Pixels, paint, png};
 pub use palette::{Colour, Palette, Theme};
+pub use pdf::pdf;
 pub use scan_drawing::scan_drawing;
 pub use scan_text::scan_text;
 pub use side_view::{PlaneView, SectionPlane, SideViewOptions, side_view, side_view_plane};
