@@ -57,9 +57,9 @@ mod tests {
     #[test]
     fn the_signs_are_those_of_the_standard() {
         // RFC 4648, § 10, without the padding.
-        for (signs, text) in [("Zg", "f"), ("Zm8", "fo"), ("Zm9v", "foo"), ("Zm9vYmFy", "foobar"), ("-_-_", "\u{fb}ÿ¿")] {
-            let expected: Vec<u8> =
-                text.chars().map(|c| u8::try_from(u32::from(c)).unwrap()).collect();
+        for (signs, text) in [("Zg", "f"), ("Zm8", "fo"), ("Zm9v", "foo"), ("Zm9vYmFy", "foobar"), ("-_-_", "\u{fb}ÿ¿")]
+        {
+            let expected: Vec<u8> = text.chars().map(|c| u8::try_from(u32::from(c)).unwrap()).collect();
             assert_eq!(bytes_of(signs).unwrap(), expected);
         }
     }

@@ -97,9 +97,9 @@ impl<'a> Fields<'a> {
     fn read(query: &'a str) -> Result<Self, LinkError> {
         let mut fields = BTreeMap::new();
         for part in query.split('&').filter(|part| !part.is_empty()) {
-            let (name, value) = part.split_once('=').ok_or_else(|| {
-                LinkError::new(format!("the link's part `{}` is no name=value", shortened(part)))
-            })?;
+            let (name, value) = part
+                .split_once('=')
+                .ok_or_else(|| LinkError::new(format!("the link's part `{}` is no name=value", shortened(part))))?;
             if !NAMES.contains(&name) {
                 return Err(LinkError::new(format!(
                     "the link says `{}`, which is none of what a link may say ({}); it may come from a newer rayscope, or was \

@@ -87,7 +87,8 @@ fn effects_that_are_off_are_named_and_come_back() {
 #[test]
 fn a_scene_that_is_too_long_for_a_link_is_refused_with_the_way_out() {
     // Digits of a sequence that does not repeat, so that it cannot be packed to nothing.
-    let text: String = (0..60_000_u64).map(|i| (i.wrapping_mul(i).wrapping_mul(2_654_435_761) >> 7).to_string()).collect();
+    let text: String =
+        (0..60_000_u64).map(|i| (i.wrapping_mul(i).wrapping_mul(2_654_435_761) >> 7).to_string()).collect();
     let long = Link { text: Some(text), ..Link::to_scene("mine") };
     let message = long.written().unwrap_err().to_string();
     assert!(message.contains("32000") && message.contains("send its file"), "{message}");
