@@ -10,6 +10,7 @@ mod fonts;
 mod frontier_plot;
 mod heat_map;
 mod hit_test;
+mod included;
 mod interval_bars;
 mod labels;
 mod log_plot;
@@ -46,6 +47,8 @@ pub use scan_drawing::scan_drawing;
 pub use scan_text::scan_text;
 pub use side_view::{PlaneView, SectionPlane, SideViewOptions, side_view, side_view_plane};
 pub use sign_plot::sign_plot;
-pub use svg::svg;
-pub use text::{Detail, DetailLine, Row, brief, brief_vector, detail, row, significant, span_list, tree_text};
+pub use svg::{escaped, svg};
+pub use text::{
+    Detail, DetailLine, Row, beneath, brief, brief_vector, detail, equated, row, significant, span_list, tree_text,
+};
 pub use views::{ALL_VIEWS, Subject, View, primitive_behind, search_behind};
