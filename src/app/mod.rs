@@ -5,18 +5,28 @@
 //! made of it.
 
 mod accuracy;
+mod command;
+mod dock;
 mod drawings;
 mod effects;
 mod frame;
+mod help;
+mod kept;
+mod layout;
+mod pane;
+mod panes;
 mod picture;
+mod settings;
 mod story;
 mod window;
 mod workbench;
 
-pub use frame::layout::Shares;
-pub use story::outline::Outline;
+pub use command::{Command, Commands, HelpCommand, SceneCommand, StepCommand, ViewCommand};
+pub use dock::{Dock, Preset};
+pub use pane::Pane;
+pub use settings::Settings;
 pub use story::recording::{HitMark, Recording};
-pub use story::stepper::Step;
+pub use story::stepping::Stepping;
 pub use workbench::{Look, OpenScene, Problem, Workbench};
 
 use crate::folder::Outside;

@@ -1,16 +1,23 @@
 //! The state of the workbench: what is open, what is recorded, what is selected.
 
-use crate::app::accuracy::window::{AccuracyWindow, Wish};
+use crate::app::accuracy::pane::{AccuracyPane, Wish};
+use crate::app::command::Command;
+use crate::app::dock::Dock;
 use crate::app::drawings::plots::PlotsPanel;
 use crate::app::drawings::side::SidePanel;
-use crate::app::effects::window::EffectsWindow;
+use crate::app::effects::pane::EffectsPane;
 use crate::app::frame::file_dialog::FileDialog;
-use crate::app::frame::layout::Shares;
 use crate::app::frame::scene_menu::SceneMenu;
 use crate::app::frame::theme;
+use crate::app::help::Help;
+use crate::app::kept;
+use crate::app::pane::Pane;
 use crate::app::picture::panel::ImagePanel;
 use crate::app::picture::renderer::Renderer;
+use crate::app::settings::Settings;
 use crate::app::story::recording::Recording;
+use crate::app::story::stepping::Stepping;
+use crate::app::story::timeline::Timeline;
 use crate::folder::{Outside, files_of_scene};
 use crate::record::EventId;
 use crate::scene::{Effects, EmbeddedScene, Profile, Scene, embedded_scene, embedded_scenes, load_with};
@@ -61,15 +68,20 @@ pub struct Workbench {
     pub(in crate::app) open: Option<OpenScene>,
     pub(in crate::app) problem: Option<Problem>,
     pub(in crate::app) recording: Option<Recording>,
+    pub(in crate::app) stepping: Stepping,
+    pub(in crate::app) timeline: Timeline,
     pub(in crate::app) renderer: Renderer,
     pub(in crate::app) menu: SceneMenu,
     pub(in crate::app) dialog: FileDialog,
     pub(in crate::app) image: ImagePanel,
     pub(in crate::app) side: SidePanel,
     pub(in crate::app) plots: PlotsPanel,
-    pub(in crate::app) effects: EffectsWindow,
-    pub(in crate::app) accuracy: AccuracyWindow,
-    pub(in crate::app) shares: Shares,
+    pub(in crate::app) effects: EffectsPane,
+    pub(in crate::app) accuracy: AccuracyPane,
+    pub(in crate::app) dock: Dock,
+    pub(in crate::app) settings: Settings,
+    pub(in crate::app) help: Help,
+    ctx: Context,
     outside: Outside,
 }
 
@@ -82,15 +94,20 @@ impl Workbench {
             open: None,
             problem: None,
             recording: None,
+            stepping: Stepping::default(),
+            timeline: Timeline::default(),
             renderer: Renderer::default(),
             menu: SceneMenu::default(),
             dialog: FileDialog::default(),
             image: ImagePanel::default(),
             side: SidePanel::default(),
             plots: PlotsPanel::default(),
-            effects: EffectsWindow::default(),
-            accuracy: AccuracyWindow::default(),
-            shares: Shares::default(),
+            effects: EffectsPane::default(),
+            accuracy: AccuracyPane::default(),
+            dock: Dock::default(),
+            settings: Settings::default(),
+            help: Help::default(),
+            ctx: ctx.clone(),
             outside,
         };
         workbench.open_text(ctx, name, text);
@@ -143,14 +160,6 @@ impl Workbench {
         self.problem = Some(Problem { name: name.to_owned(), text });
     }
 
-    /// Records a pixel and shows its story.
-    pub fn record(&mut self, pixel: [u32; 2]) {
-        let Some(open) = &self.open else { return };
-        let mut recording = Recording::new(&open.scene, pixel);
-        recording.select_outcome();
-        self.recording = Some(recording);
-    }
-
     /// Switches effects on and off: the picture is rendered and the pixel recorded anew.
     pub(in crate::app) fn switch(&mut self, ctx: &Context, effects: Effects) {
         let Some(open) = &mut self.open else { return };
@@ -185,27 +194,47 @@ impl Workbench {
                 let is_shown = recording.by == Some(method) && *recording.tree == *tree;
                 if !is_shown {
                     let (scene, pixel) = (Arc::clone(&recording.scene), recording.pixel);
-                    self.recording = Some(Recording::of_tree(scene, pixel, tree, Some(method)));
+                    self.show_elsewhere(Recording::of_tree(scene, pixel, tree, Some(method)));
                 }
                 self.select(event);
             }
         }
     }
 
-    /// Shows or hides the window of the effects.
-    pub fn toggle_effects(&mut self) {
-        self.effects.is_open = !self.effects.is_open;
+    /// Brings a panel to the front.
+    pub fn reveal(&mut self, pane: Pane) {
+        self.dock.reveal(pane);
     }
 
-    /// Shows or hides the window of what accuracy costs.
-    pub fn toggle_accuracy(&mut self) {
-        self.accuracy.is_open = !self.accuracy.is_open;
+    /// Offers the tour, unless it was taken or passed over before.
+    pub fn offer_tour(&mut self) {
+        if !self.settings.is_toured {
+            self.help = Help::tour();
+        }
+    }
+
+    /// Runs a command, as its menu or key does.
+    pub fn run(&mut self, command: Command) {
+        let ctx = self.ctx();
+        command.run(self, &ctx);
+    }
+
+    /// What the workbench is shown in.
+    #[must_use]
+    pub fn ctx(&self) -> Context {
+        self.ctx.clone()
     }
 
     /// The scene that is open.
     #[must_use]
     pub fn scene(&self) -> Option<&OpenScene> {
         self.open.as_ref()
+    }
+
+    /// How the story is stepped through.
+    #[must_use]
+    pub const fn stepping(&self) -> &Stepping {
+        &self.stepping
     }
 
     /// The recorded pixel.
@@ -226,15 +255,29 @@ impl Workbench {
         self.renderer.finished()
     }
 
-    /// How the window is divided.
+    /// Where the panels lie.
     #[must_use]
-    pub fn shares(&self) -> Shares {
-        self.shares
+    pub const fn dock(&self) -> &Dock {
+        &self.dock
     }
 
-    /// Divides the window.
-    pub fn set_shares(&mut self, shares: Shares) {
-        self.shares = shares;
+    /// What a person has set.
+    #[must_use]
+    pub const fn settings(&self) -> Settings {
+        self.settings
+    }
+
+    /// What is kept from one start to the next, as text.
+    #[must_use]
+    pub fn keep(&self) -> String {
+        kept::write(&self.dock, self.settings)
+    }
+
+    /// Takes up what was kept. A text that makes no sense is passed over.
+    pub fn take_up(&mut self, text: &str) {
+        if let Some((dock, settings)) = kept::read(text) {
+            (self.dock, self.settings) = (dock, settings);
+        }
     }
 
     /// Selects an event of the recorded pixel.

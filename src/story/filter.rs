@@ -83,6 +83,6 @@ mod tests {
         assert_eq!(found(&object_a), [2, 3, 4, 8, 9]);
         let primitives_of_a = Filter { kinds: [Kind::Primitive].into(), ..object_a.clone() };
         assert_eq!(found(&primitives_of_a), [3, 4, 9]);
-        assert_eq!(found(&Filter { text: "SPHERE p".to_owned(), ..primitives_of_a }), [3, 9]);
+        assert_eq!(found(&Filter { text: "SPHERE p:".to_owned(), ..primitives_of_a }), [3, 9]);
     }
 }

@@ -2,7 +2,7 @@
 
 use super::kind::Kind;
 use super::level::{Level, level_of};
-use super::skip;
+use super::skip::{self, Cut};
 use crate::record::{Event, EventId, RayKind, What};
 use crate::trace::RayTree;
 use std::collections::BTreeMap;
@@ -35,6 +35,9 @@ pub struct Index {
     objects: Vec<String>,
     /// For each event how many before it were skipped, cut off or rejected; one more than there are events.
     skips_before: Vec<u32>,
+    /// For each way of leaving something out the events that do so.
+    cuts: [Vec<EventId>; Cut::ALL.len()],
+    present: Vec<bool>,
 }
 
 impl Index {
@@ -45,13 +48,10 @@ impl Index {
         let (scope_of, scopes) = scopes(tree);
         let (object_of, objects) = objects(tree, &scope_of);
         let levels = levels(tree, &kinds, (&scope_of, &scopes), &object_of);
-        let mut skips_before = vec![0];
-        let mut skips = 0;
-        skips_before.extend(tree.events.iter().map(|event| {
-            skips += u32::from(skip::is_skip(&event.what));
-            skips
-        }));
-        Self { ends: ends(tree), kinds, levels, scope_of, scopes, object_of, objects, skips_before }
+        let (skips_before, cuts) = skips(tree);
+        let mut present = vec![false; Kind::ALL.len()];
+        kinds.iter().for_each(|&kind| present[kind as usize] = true);
+        Self { ends: ends(tree), kinds, levels, scope_of, scopes, object_of, objects, skips_before, cuts, present }
     }
 
     /// How many events there are.
@@ -107,6 +107,18 @@ impl Index {
         RayKind::ALL.into_iter().filter(|kind| self.scopes.iter().any(|scope| scope.kind == *kind))
     }
 
+    /// Whether there is an event of this kind.
+    #[must_use]
+    pub fn has(&self, kind: Kind) -> bool {
+        self.present[kind as usize]
+    }
+
+    /// The events that left something out in this way, in order.
+    #[must_use]
+    pub fn cut_events(&self, cut: Cut) -> &[EventId] {
+        &self.cuts[cut as usize]
+    }
+
     /// How many rays there are.
     #[must_use]
     pub fn rays(&self) -> usize {
@@ -118,6 +130,21 @@ impl Index {
     pub fn skips(&self, from: EventId, to: EventId) -> u32 {
         self.skips_before[to as usize] - self.skips_before[from as usize]
     }
+}
+
+fn skips(tree: &RayTree) -> (Vec<u32>, [Vec<EventId>; Cut::ALL.len()]) {
+    let mut cuts: [Vec<EventId>; Cut::ALL.len()] = std::array::from_fn(|_| Vec::new());
+    let mut before = Vec::with_capacity(tree.events.len() + 1);
+    let mut skips = 0;
+    before.push(skips);
+    for event in &tree.events {
+        if let Some(cut) = skip::cut(&event.what) {
+            cuts[cut as usize].push(event.id);
+            skips += 1;
+        }
+        before.push(skips);
+    }
+    (before, cuts)
 }
 
 fn ends(tree: &RayTree) -> Vec<EventId> {
@@ -257,8 +284,10 @@ mod tests {
         let tree = fishbowl();
         let index = Index::of(&tree);
         let (from, to) = (100, tree.end() - 50);
-        let counted = (from..to).filter(|&id| skip::is_skip(&tree.event(id).what)).count();
+        let counted = (from..to).filter(|&id| skip::cut(&tree.event(id).what).is_some()).count();
         assert_eq!(index.skips(from, to) as usize, counted);
         assert!(counted > 0);
+        let listed: usize = Cut::ALL.iter().map(|&cut| index.cut_events(cut).len()).sum();
+        assert_eq!(listed, index.skips(0, tree.end()) as usize);
     }
 }

@@ -3,10 +3,13 @@
 //! A tree is worked through once ([`Index`]); after that every move is a search in a sorted list, however many events
 //! there are.
 
+mod breakpoint;
 mod filter;
 mod index;
 mod kind;
 mod level;
+#[cfg(test)]
+mod levels_tests;
 mod outline;
 mod play;
 mod shown;
@@ -15,7 +18,9 @@ mod step;
 mod story;
 #[cfg(test)]
 mod testing;
+mod until;
 
+pub use breakpoint::{Breakpoint, Breakpoints};
 pub use filter::Filter;
 pub use index::{Index, Scope};
 pub use kind::Kind;
@@ -26,3 +31,4 @@ pub use shown::Shown;
 pub use skip::{Cut, Skip, all_skips, cut, skips};
 pub use step::Step;
 pub use story::{Place, Story};
+pub use until::next_pixel;

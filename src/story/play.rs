@@ -3,7 +3,8 @@
 /// Steps a second that are offered.
 pub const SPEEDS: [f64; 6] = [0.5, 1.0, 2.0, 5.0, 10.0, 20.0];
 
-/// The longest time between two frames that counts, in seconds: a window that was hidden does not catch up.
+/// The longest time between two frames that counts, in seconds, or as long as one step takes: a window that was hidden does not
+/// catch up.
 const LONGEST_FRAME: f64 = 0.25;
 
 /// Plays the steps of a story.
@@ -59,7 +60,7 @@ impl Player {
         if !self.is_playing {
             return 0;
         }
-        self.owed += seconds.clamp(0.0, LONGEST_FRAME) * self.speed;
+        self.owed += (seconds.max(0.0) * self.speed).min((LONGEST_FRAME * self.speed).max(1.0));
         let steps = self.owed.floor();
         self.owed -= steps;
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at most a few, see above")]
@@ -106,6 +107,8 @@ mod tests {
         player.set_playing(true);
         player.set_speed(20.0);
         assert_eq!(player.advance(60.0), 5);
+        player.set_speed(0.5);
+        assert_eq!(player.advance(60.0), 1);
     }
 
     #[test]

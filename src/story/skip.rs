@@ -71,10 +71,6 @@ pub fn cut(what: &What) -> Option<Cut> {
     }
 }
 
-pub(super) fn is_skip(what: &What) -> bool {
-    cut(what).is_some()
-}
-
 fn is_rejected(candidate: &Candidate) -> bool {
     candidate.fate == CandidateFate::Rejected
 }
@@ -137,7 +133,7 @@ mod tests {
         for embedded in embedded_scenes() {
             let scene = load(embedded.text, &embedded.name).unwrap();
             let tree = record_pixel(&scene, scene.pixels[0][0], scene.pixels[0][1]);
-            for event in tree.events.iter().filter(|event| is_skip(&event.what)) {
+            for event in tree.events.iter().filter(|event| cut(&event.what).is_some()) {
                 let skips = skips(event);
                 assert!(!skips.is_empty(), "{}: {:?}", embedded.name, event.what);
                 for Skip { what, reason, .. } in skips {

@@ -1,7 +1,7 @@
 //! Trees for tests.
 
 use crate::record::{Entry, RayKind, Recorder, What};
-use crate::scene::{embedded_scene, load};
+use crate::scene::{embedded_scene, embedded_scenes, load};
 use crate::trace::{RayTree, TreeRecorder, record_pixel};
 
 /// The telling pixel of an embedded scene.
@@ -9,6 +9,15 @@ pub fn recorded(name: &str) -> RayTree {
     let embedded = embedded_scene(name).unwrap();
     let scene = load(embedded.text, name).unwrap();
     record_pixel(&scene, scene.pixels[0][0], scene.pixels[0][1])
+}
+
+/// The telling pixels of all embedded scenes, with the scene's name.
+pub fn every_telling_pixel() -> impl Iterator<Item = (String, RayTree)> {
+    embedded_scenes().into_iter().flat_map(|embedded| {
+        let scene = load(embedded.text, &embedded.name).unwrap();
+        let pixels = scene.pixels.clone();
+        pixels.into_iter().map(move |[x, y]| (format!("{} ({x}, {y})", embedded.name), record_pixel(&scene, x, y)))
+    })
 }
 
 pub fn bowl() -> RayTree {

@@ -31,6 +31,7 @@ mod side_view;
 mod sign_plot;
 mod svg;
 mod text;
+mod timeline;
 mod views;
 
 pub use drawing::{Anchor, Drawing, Form, Frame, Mark, Spot, Stroke, Text};
@@ -51,4 +52,5 @@ pub use svg::{escaped, svg};
 pub use text::{
     Detail, DetailLine, Row, beneath, brief, brief_vector, detail, equated, row, significant, span_list, tree_text,
 };
+pub use timeline::{TimelineScale, timeline};
 pub use views::{ALL_VIEWS, Subject, View, primitive_behind, search_behind};

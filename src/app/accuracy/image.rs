@@ -1,8 +1,8 @@
 //! The accuracy of the whole image: error against seconds, filling in while it is measured, and maps of the chosen setting.
 
 use crate::app::accuracy::chart::{Chart, MapOf, View};
+use crate::app::accuracy::pane::Wish;
 use crate::app::accuracy::point::{Shown, chosen_point, list};
-use crate::app::accuracy::window::Wish;
 use crate::app::frame::background::Background;
 use crate::app::workbench::OpenScene;
 use crate::cpu_time;

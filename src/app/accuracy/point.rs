@@ -1,6 +1,6 @@
 //! The settings of a study as a list, and the chosen one: its picture beside the scene's, its figures, and what to choose instead.
 
-use crate::app::accuracy::window::Wish;
+use crate::app::accuracy::pane::Wish;
 use crate::app::frame::theme::{Palette, bold};
 use crate::app::picture::thumbnail::{difference, texture, thumbnail};
 use crate::laboratory::{Point, Study};

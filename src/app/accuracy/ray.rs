@@ -1,8 +1,8 @@
 //! The accuracy of the selected ray: what each method takes for it, how many digits it gets right, and where it loses them.
 
-use crate::app::accuracy::window::Wish;
+use crate::app::accuracy::pane::Wish;
 use crate::app::frame::background::Background;
-use crate::app::frame::panel::empty;
+use crate::app::frame::empty::empty;
 use crate::app::frame::theme::{Palette, bold};
 use crate::app::story::recording::Recording;
 use crate::app::workbench::OpenScene;

@@ -2,7 +2,7 @@
 //! all for the selected event.
 
 use crate::app::drawings::canvas::Canvas;
-use crate::app::frame::panel::empty;
+use crate::app::frame::empty::empty;
 use crate::app::frame::theme::drawing_theme;
 use crate::app::story::recording::Recording;
 use crate::record::EventId;

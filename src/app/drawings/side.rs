@@ -1,7 +1,7 @@
 //! The side view: the scene cut open along the ray, with everything up to the selected event drawn in.
 
 use crate::app::drawings::canvas::Canvas;
-use crate::app::frame::panel::empty;
+use crate::app::frame::empty::empty;
 use crate::app::frame::theme::drawing_theme;
 use crate::app::story::recording::Recording;
 use crate::record::EventId;

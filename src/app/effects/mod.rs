@@ -1,4 +1,4 @@
-//! What each effect of the scene costs, as a window with switches.
+//! What each effect of the scene costs, as a panel with switches.
 
 pub mod job;
-pub mod window;
+pub mod pane;

@@ -1,20 +1,16 @@
-//! Choosing a scene: the embedded ones by topic, or a file.
+//! Choosing one of the embedded scenes, by topic.
 
 use crate::app::frame::theme::Palette;
+use crate::app::frame::words::{say, say_with};
 use crate::scene::{embedded_scenes, load};
 use egui::{RichText, ScrollArea, Ui};
 
 /// Height of the list, in points.
 const HEIGHT: f32 = 560.0;
 
-/// What was chosen in the menu.
+/// An embedded scene that was chosen, by name.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Choice {
-    /// An embedded scene, by name.
-    Embedded(String),
-    /// The dialogue that opens a file.
-    OpenFile,
-}
+pub struct Choice(pub String);
 
 /// A line of the menu.
 struct Entry {
@@ -49,20 +45,17 @@ fn place(topic: &str) -> usize {
 }
 
 impl SceneMenu {
-    /// Shows the menu's button and, when it is open, the list.
+    /// Shows the menu's button and, when it is open, the list; returns what was chosen.
     pub fn ui(&self, ui: &mut Ui, current: &str) -> Option<Choice> {
         let mut chosen = None;
-        let button = ui.menu_button(format!("Scene: {current}  ⏷"), |ui| {
+        let title = say_with(ui.ctx(), "scene-menu", &[("scene", current.into())]);
+        let button = ui.menu_button(title, |ui| {
             ui.set_min_width(360.0);
             ScrollArea::vertical().max_height(HEIGHT).min_scrolled_height(HEIGHT).show(ui, |ui| {
                 chosen = self.list(ui, current);
             });
         });
-        button.response.on_hover_text("Choose one of the scenes that come with rayscope.");
-        let open = ui.button("Open…").on_hover_text("Open a scene file. You can also drop one on this window.");
-        if open.clicked() {
-            chosen = Some(Choice::OpenFile);
-        }
+        button.response.on_hover_text(say(ui.ctx(), "scene-menu-about"));
         chosen
     }
 
@@ -78,7 +71,7 @@ impl SceneMenu {
             for entry in topic {
                 let line = ui.selectable_label(entry.name == current, &entry.title).on_hover_text(&entry.name);
                 if line.clicked() {
-                    chosen = Some(Choice::Embedded(entry.name.clone()));
+                    chosen = Some(Choice(entry.name.clone()));
                     ui.close();
                 }
             }

@@ -1,6 +1,6 @@
 //! The selected event in full: what it is, its formulas with this ray's numbers, its tables, and the line of source.
 
-use crate::app::frame::panel::empty;
+use crate::app::frame::empty::empty;
 use crate::app::frame::theme::{PADDING, Palette};
 use crate::app::story::recording::Recording;
 use crate::view::{DetailLine, detail};

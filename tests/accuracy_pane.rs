@@ -1,40 +1,21 @@
-//! The accuracy window as a person uses it, found through the names that a screen reader reads out.
+//! The accuracy panel as a person uses it, found through the names that a screen reader reads out.
 #![cfg(feature = "workbench")]
 
-use egui::Vec2;
+mod hands;
+
 use egui::accesskit::Role;
-use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
-use rayscope::app::Workbench;
-use rayscope::folder::Outside;
+use hands::{Bench, reveal, settle, wait_until, workbench};
+use rayscope::app::Pane;
 use rayscope::laboratory::{Target, this_ray};
 use rayscope::scene::embedded_scene;
 use rayscope::shape::Method;
-use std::time::{Duration, Instant};
 
-type Bench<'a> = Harness<'a, Option<Workbench>>;
-
-/// Long enough for the slowest machine; a test that waits this long has failed.
-const PATIENCE: Duration = Duration::from_mins(3);
-
-/// The workbench with a scene and its accuracy window open.
+/// The workbench with a scene open, and what its accuracy costs.
 fn open<'a>(scene: &str) -> Bench<'a> {
-    let text = embedded_scene(scene).expect("the scene is embedded").text;
-    let name = scene.to_owned();
-    let show = move |ui: &mut egui::Ui, workbench: &mut Option<Workbench>| {
-        workbench.get_or_insert_with(|| Workbench::new(ui.ctx(), &name, text, Outside::Refused)).ui(ui);
-    };
-    let mut bench = Harness::builder().with_size(Vec2::new(1280.0, 800.0)).build_ui_state(show, None);
-    settle(&mut bench);
-    press(&mut bench, "Accuracy");
+    let mut bench = hands::open(scene);
+    reveal(&mut bench, Pane::Accuracy);
     bench
-}
-
-/// A few frames: for layout, focus and events to arrive.
-fn settle(bench: &mut Bench) {
-    for _ in 0..4 {
-        bench.step();
-    }
 }
 
 fn press(bench: &mut Bench, name: &str) {
@@ -44,21 +25,6 @@ fn press(bench: &mut Bench, name: &str) {
 
 fn offers(bench: &Bench, name: &str) -> bool {
     bench.query_by_role_and_label(Role::Button, name).is_some()
-}
-
-fn workbench<'b>(bench: &'b Bench) -> &'b Workbench {
-    bench.state().as_ref().expect("the workbench was shown")
-}
-
-fn wait_until(bench: &mut Bench, what: &str, done: impl Fn(&Bench) -> bool) {
-    let begin = Instant::now();
-    while !done(bench) {
-        assert!(begin.elapsed() < PATIENCE, "waited in vain for {what}");
-        std::thread::sleep(Duration::from_millis(10));
-        bench.step();
-    }
-    // What appears has its place after a frame.
-    settle(bench);
 }
 
 #[test]

@@ -8,10 +8,10 @@ use crate::record::EventId;
 use crate::scene::Profile;
 use crate::shape::Method;
 use crate::trace::RayTree;
-use egui::{Context, RichText, Ui, Window};
+use egui::{RichText, Ui};
 use std::sync::Arc;
 
-/// What the window looks at.
+/// What the panel looks at.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 enum Scope {
     #[default]
@@ -29,42 +29,28 @@ pub enum Wish {
     Story(Method, Arc<RayTree>, EventId),
 }
 
-/// What the window remembers between frames.
+/// What the panel remembers between frames.
 #[derive(Default)]
-pub struct AccuracyWindow {
-    /// Whether it is shown.
-    pub is_open: bool,
+pub struct AccuracyPane {
     scope: Scope,
     image: ImageScope,
     ray: RayScope,
 }
 
-impl AccuracyWindow {
+impl AccuracyPane {
     /// Forgets everything: the scene has changed.
     pub fn reset(&mut self) {
-        *self = Self { is_open: self.is_open, scope: self.scope, ..Self::default() };
+        *self = Self { scope: self.scope, ..Self::default() };
     }
 
-    /// Shows the window, if it is open; returns what is asked for.
-    pub fn ui(&mut self, ctx: &Context, open: &OpenScene, recording: Option<&Recording>) -> Option<Wish> {
-        if !self.is_open {
-            self.image.pause();
-            self.ray.pause();
-            return None;
-        }
-        let mut is_open = true;
-        let mut wish = None;
-        Window::new("Accuracy")
-            .open(&mut is_open)
-            .default_pos([120.0, 92.0])
-            .default_size([1080.0, 620.0])
-            .min_size([720.0, 420.0])
-            .show(ctx, |ui| wish = self.contents(ui, open, recording));
-        self.is_open = is_open;
-        wish
+    /// Stops measuring: nobody looks.
+    pub fn pause(&mut self) {
+        self.image.pause();
+        self.ray.pause();
     }
 
-    fn contents(&mut self, ui: &mut Ui, open: &OpenScene, recording: Option<&Recording>) -> Option<Wish> {
+    /// Shows the panel; returns what is asked for.
+    pub fn ui(&mut self, ui: &mut Ui, open: &OpenScene, recording: Option<&Recording>) -> Option<Wish> {
         let mut wish = None;
         ui.horizontal(|ui| {
             ui.selectable_value(&mut self.scope, Scope::Image, "This image");

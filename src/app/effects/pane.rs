@@ -10,7 +10,7 @@ use crate::scene::{Effects, Reason, Scene, reasons};
 use crate::trace::Picture;
 use egui::{
     Align, Checkbox, Context, Grid, Label, Layout, RichText, ScrollArea, Sense, Stroke, StrokeKind, TextureHandle, Ui,
-    Window, pos2, vec2,
+    pos2, vec2,
 };
 use std::sync::Arc;
 
@@ -19,11 +19,9 @@ const SMALL: f32 = 96.0;
 /// Width of the bar that shows a share, in points.
 const BAR: f32 = 70.0;
 
-/// What the window remembers between frames.
+/// What the panel remembers between frames.
 #[derive(Default)]
-pub struct EffectsWindow {
-    /// Whether it is shown.
-    pub is_open: bool,
+pub struct EffectsPane {
     job: Option<LedgerJob>,
     shown: Option<Shown>,
 }
@@ -35,29 +33,21 @@ struct Shown {
     pictures: Vec<Option<(TextureHandle, TextureHandle, u8)>>,
 }
 
-impl EffectsWindow {
+impl EffectsPane {
     /// Forgets everything: the scene has changed.
     pub fn reset(&mut self) {
         (self.job, self.shown) = (None, None);
     }
 
-    /// Shows the window, if it is open; returns the effects that shall be on, where a switch was moved.
-    pub fn ui(&mut self, ctx: &Context, open: &OpenScene) -> Option<Effects> {
-        if !self.is_open {
-            self.job = None;
-            return None;
-        }
-        self.measure(ctx, &open.whole);
-        let mut is_open = true;
-        let mut chosen = None;
-        Window::new("Effects")
-            .open(&mut is_open)
-            .default_pos([470.0, 112.0])
-            .default_size([760.0, 460.0])
-            .min_width(560.0)
-            .show(ctx, |ui| chosen = self.contents(ui, open));
-        self.is_open = is_open;
-        chosen
+    /// Stops measuring: nobody looks.
+    pub fn pause(&mut self) {
+        self.job = None;
+    }
+
+    /// Shows the panel; returns the effects that shall be on, where a switch was moved.
+    pub fn ui(&mut self, ui: &mut Ui, open: &OpenScene) -> Option<Effects> {
+        self.measure(ui.ctx(), &open.whole);
+        self.contents(ui, open)
     }
 
     /// Measures the whole scene once, and takes the ledger when it is there.

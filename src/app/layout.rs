@@ -1,0 +1,56 @@
+//! The window on `egui` alone: keys, the top bar, messages, and below them the panels.
+
+use super::frame::scene_menu::Choice;
+use super::frame::theme::Palette;
+use super::frame::{problem, top_bar};
+use super::help::Help;
+use super::workbench::Workbench;
+use super::{command, dock};
+use egui::{Rect, Ui, UiBuilder};
+
+/// The gap between the panels and the window's edge, in points.
+const MARGIN: f32 = 6.0;
+
+impl Workbench {
+    /// Shows the workbench in all of `ui` and lets it be used.
+    pub fn ui(&mut self, ui: &mut Ui) {
+        let ctx = ui.ctx().clone();
+        self.settings.apply(&ctx, self.dock.preset().magnification());
+        self.take_files(&ctx);
+        self.advance_story(&ctx);
+        // What lies over the workbench has the keys.
+        let command = if matches!(self.help, Help::None) { command::pressed(&ctx, self) } else { None };
+        if let Some(command) = command {
+            command.run(self, &ctx);
+        }
+        let whole = ui.max_rect();
+        ui.painter().rect_filled(whole, 0.0, Palette::current(&ctx).window);
+        let (bar, rest) = whole.split_top_bottom_at_y(whole.top() + top_bar::height(ui, self));
+        self.top_bar(ui, bar);
+        let rest = self.messages(ui, rest.shrink(MARGIN));
+        ui.scope_builder(UiBuilder::new().id_salt("dock").max_rect(rest), |ui| dock::show(ui, self));
+        self.show_help(ui);
+        self.pause_what_is_not_seen();
+    }
+
+    fn top_bar(&mut self, ui: &mut Ui, bar: Rect) {
+        let builder = UiBuilder::new().id_salt("top bar").max_rect(bar);
+        let action = ui.scope_builder(builder, |ui| top_bar::ui(ui, self)).inner;
+        match action {
+            Some(top_bar::Action::Choose(Choice(name))) => self.open_scene(ui.ctx(), &name),
+            Some(top_bar::Action::Record(pixel)) => self.record(pixel),
+            Some(top_bar::Action::Run(command)) => command.run(self, ui.ctx()),
+            None => {}
+        }
+    }
+
+    /// Shows what went wrong, and returns the room below.
+    fn messages(&mut self, ui: &mut Ui, rest: Rect) -> Rect {
+        let Some(problem) = &self.problem else { return rest };
+        let (message, below) = rest.split_top_bottom_at_y(rest.top() + problem::height(problem, rest.height()));
+        if problem::ui(ui, message, problem, self.open.as_ref()) {
+            self.problem = None;
+        }
+        below.with_min_y(below.top() + MARGIN)
+    }
+}
