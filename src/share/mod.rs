@@ -7,6 +7,7 @@ pub mod link;
 
 mod account;
 mod animation;
+mod data;
 mod figures;
 mod lines;
 mod markdown;
@@ -17,6 +18,7 @@ mod tests;
 
 pub use account::{Account, Steps};
 pub use animation::{AnimationError, FRAME, MOST_FRAMES, Moving, animation};
+pub use data::trace_json;
 pub use markdown::{Paper, markdown};
 pub use slides::{MOST_SLIDES, slides, slides_pdf};
 

@@ -5,11 +5,13 @@
 
 mod help;
 mod scene;
+mod share;
 mod step;
 mod view;
 
 pub use help::HelpCommand;
 pub use scene::SceneCommand;
+pub use share::ShareCommand;
 pub use step::StepCommand;
 pub use view::ViewCommand;
 
@@ -97,6 +99,7 @@ areas! {
     Scene(SceneCommand) = "menu-scene",
     Step(StepCommand) = "menu-step",
     View(ViewCommand) = "menu-view",
+    Share(ShareCommand) = "menu-share",
     Help(HelpCommand) = "menu-help",
 }
 

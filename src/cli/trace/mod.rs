@@ -15,7 +15,8 @@ use super::profile_argument::ProfileArgument;
 use super::scene_argument::{SceneArgument, SizeArguments};
 use crate::scene::Scene;
 use crate::share::link::{Aim, EventPlace, Link};
-use crate::trace::{RayTree, TraceFile};
+use crate::share::trace_json;
+use crate::trace::RayTree;
 use crate::view::{pdf, tree_text};
 use aim::{AimArguments, recorded};
 use clap::Args;
@@ -91,9 +92,7 @@ impl Trace {
         let first = || self.shown.drawn(scene, tree).map(|mut drawings| drawings.swap_remove(0));
         match self.format {
             Format::Text => Ok(with_newline(tree_text(tree))),
-            Format::Json => serde_json::to_string(&TraceFile::new(self.scene.name(), tree))
-                .map(with_newline)
-                .map_err(|error| Failure::refused(error.to_string())),
+            Format::Json => trace_json(self.scene.name(), tree).map(String::into_bytes).map_err(Failure::refused),
             Format::Svg => Ok(drawn::svg(&first()?)),
             Format::Png => Ok(drawn::png(&first()?)),
             Format::Pdf => Ok(pdf(&self.title(scene), &self.shown.drawn(scene, tree)?)),

@@ -46,7 +46,7 @@ pub struct Link {
     pub preset: Option<String>,
     /// The drawings that are shown, by their names.
     pub views: Vec<String>,
-    /// Light or dark.
+    /// The colours of everything.
     pub theme: Option<Theme>,
     /// The language of the interface, such as `de`.
     pub language: Option<String>,

@@ -221,8 +221,11 @@ fn listed(text: &str, separator: char) -> Result<Vec<String>, String> {
 }
 
 fn theme(text: &str) -> Result<Theme, String> {
-    let found = [Theme::Light, Theme::Dark].into_iter().find(|&theme| theme_name(theme) == text);
-    found.ok_or_else(|| format!("`{}` is neither light nor dark", shortened(text)))
+    let found = Theme::ALL.into_iter().find(|&theme| theme_name(theme) == text);
+    found.ok_or_else(|| {
+        let known = Theme::ALL.map(theme_name).join(", ");
+        format!("`{}` is no theme; there are {known}", shortened(text))
+    })
 }
 
 fn accuracy(text: &str) -> Result<Accuracy, String> {

@@ -64,7 +64,7 @@ fn what_is_wrong_is_named_with_its_place_and_what_to_do() {
         ("rayscope:a?ray=0,0,9,0,0,NaN", "finite numbers"),
         ("rayscope:a?t=inf", "finite number"),
         ("rayscope:a?size=0,4", "at least one column"),
-        ("rayscope:a?theme=pink", "neither light nor dark"),
+        ("rayscope:a?theme=pink", "`pink` is no theme; there are light, dark"),
         ("rayscope:a?without=gravity", "`gravity` is no effect; there are antialiasing"),
         ("rayscope:a?colour=red", "newer rayscope"),
         ("rayscope:a?path=Pixel.Hit", "without the event"),
@@ -163,7 +163,7 @@ prop_compose! {
         event in prop::option::of(places()),
         words in prop::array::uniform3(prop::option::of(word())),
         views in prop::collection::vec(word(), 0..4),
-        dark in prop::option::of(any::<bool>()),
+        theme in prop::option::of(prop::sample::select(Theme::ALL.to_vec())),
         t in prop::option::of(finite()),
         orbit in prop::option::of(prop::array::uniform3(finite())),
         accuracy in prop::option::of(prop_oneof![
@@ -173,7 +173,6 @@ prop_compose! {
         off in prop::option::of(prop::collection::vec(0..Effect::ALL.len(), 0..5)),
     ) -> Link {
         let [level, preset, language] = words;
-        let theme = dark.map(|dark| if dark { Theme::Dark } else { Theme::Light });
         let effects = off.map(|off| off.into_iter().fold(Effects::ALL, |all, i| all.without(Effect::ALL[i])));
         Link { scene, text, aim, size, event, level, preset, views, theme, language, t, orbit, accuracy, effects }
     }

@@ -65,6 +65,8 @@ pub(super) const fn theme_name(theme: Theme) -> &'static str {
     match theme {
         Theme::Light => "light",
         Theme::Dark => "dark",
+        Theme::LightContrast => "light-contrast",
+        Theme::DarkContrast => "dark-contrast",
     }
 }
 

@@ -85,7 +85,11 @@ fn figures(page: &mut String, account: &Account, id: EventId) {
     let of_theme = |theme| -> Vec<Figure> {
         figures_of(&Account { theme, ..*account }, id, |count| if count < 2 { ALONE } else { IN_PAIR })
     };
-    let both = of_theme(Theme::Light).into_iter().zip(of_theme(Theme::Dark));
+    let [light, dark] = match account.theme {
+        Theme::Light | Theme::Dark => [Theme::Light, Theme::Dark],
+        Theme::LightContrast | Theme::DarkContrast => [Theme::LightContrast, Theme::DarkContrast],
+    };
+    let both = of_theme(light).into_iter().zip(of_theme(dark));
     page.push_str("<div class=\"figures\">\n");
     for (light, dark) in both {
         let words = escaped(&light.drawing.in_words());
