@@ -25,6 +25,7 @@ pub mod record;
 pub mod sample;
 pub mod scene;
 pub mod shape;
+pub mod share;
 pub mod story;
 pub mod texture;
 pub mod trace;

@@ -155,7 +155,14 @@ fn survey() {
             let event = departing.iter().filter(|d| d.check.subject.words() == subject).count();
             println!("{prints:?} {bug:?}: {} depart, {event} at the event, {right} with the cause", departing.len());
             if let Some(wrong) = departing.iter().find(|d| !d.causes.iter().take(2).any(|e| e.cause.id == cause)) {
-                println!("    e.g. line {} {}: {:?} {:?}: {:?}", wrong.check.line, wrong.check.subject.words(), wrong.check.ours, wrong.check.theirs, wrong.causes.iter().take(3).map(|e| (e.cause.id, &e.evidence)).collect::<Vec<_>>());
+                println!(
+                    "    e.g. line {} {}: {:?} {:?}: {:?}",
+                    wrong.check.line,
+                    wrong.check.subject.words(),
+                    wrong.check.ours,
+                    wrong.check.theirs,
+                    wrong.causes.iter().take(3).map(|e| (e.cause.id, &e.evidence)).collect::<Vec<_>>()
+                );
             }
         }
     }

@@ -26,7 +26,6 @@ mod stability;
 mod stability_plots;
 mod stats;
 mod trace;
-mod trace_drawing;
 
 pub use probe::answers;
 

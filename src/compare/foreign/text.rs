@@ -36,12 +36,7 @@ fn put_departure(text: &mut String, story: &StoryComparison, departure: &Foreign
     let check = &departure.check;
     let holding = count(story.checks - story.departing, "thing agrees", "things agree");
     *text += &format!("{} (line {}): {holding}, {} not\n", story.place.words(), story.line, story.departing);
-    *text += &format!(
-        "  first departure: line {}, {} of the {}\n",
-        check.line,
-        check.subject.words(),
-        departure.ray
-    );
+    *text += &format!("  first departure: line {}, {} of the {}\n", check.line, check.subject.words(), departure.ray);
     *text += &format!("  at event {}: {}\n", check.event, departure.event);
     let [ours, theirs] = both(check);
     *text += &format!("    ours:   {ours}\n    theirs: {theirs}\n");

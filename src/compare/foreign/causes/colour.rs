@@ -107,9 +107,8 @@ fn srgb_of(linear: DVec3) -> DVec3 {
 fn wrong_ambient(case: Case, terms: &Terms) -> Vec<(&'static Cause, String, DVec3)> {
     let lights = case.ours.scene.lights.len() as f64;
     let ambient = case.ours.scene.ambient;
-    let unlit = DVec3::from_array(std::array::from_fn(|k| {
-        if ambient[k] == 0.0 { 0.0 } else { terms.ambient[k] / ambient[k] }
-    }));
+    let unlit =
+        DVec3::from_array(std::array::from_fn(|k| if ambient[k] == 0.0 { 0.0 } else { terms.ambient[k] / ambient[k] }));
     vec![
         (&AMBIENT_PER_LIGHT, format!("{} I_amb", number(lights)), terms.ambient * lights),
         (&AMBIENT_UNLIT, "k_a".to_owned(), unlit),

@@ -2,15 +2,15 @@
 
 use super::times::wrong_times;
 use super::{
-    CAP_MISSING, CAP_UNBOUNDED, Case, Cause, DIRECTION_NORMALISED, Explanation, FAR_ROOT, Guess, HIT_MISSED, NEGATIVE_T,
-    NOT_CLOSEST, POINT_FROM_ORIGIN, POINT_GENERIC, POINT_UNIT_DIRECTION, REJECTED_TAKEN, RIGHT_OPERAND_IGNORED,
-    SELF_HIT, WALL_UNBOUNDED, WRONG_OPERATOR, number, vector,
+    CAP_MISSING, CAP_UNBOUNDED, Case, Cause, DIRECTION_NORMALISED, Explanation, FAR_ROOT, Guess, HIT_MISSED,
+    NEGATIVE_T, NOT_CLOSEST, POINT_FROM_ORIGIN, POINT_GENERIC, POINT_UNIT_DIRECTION, REJECTED_TAKEN,
+    RIGHT_OPERAND_IGNORED, SELF_HIT, WALL_UNBOUNDED, WRONG_OPERATOR, number, vector,
 };
 use crate::compare::Said;
 use crate::compare::foreign::allowance::Allowance;
-use crate::compare::foreign::walk::same_name;
 use crate::compare::foreign::check::Subject;
 use crate::compare::foreign::search::intervals;
+use crate::compare::foreign::walk::same_name;
 use crate::record::{Candidate, CandidateFate, EventId, What};
 
 /// Guesses about the hit time.
@@ -57,7 +57,8 @@ fn of_candidates(case: Case, guesses: &mut Vec<Guess>) {
     let is_cap = hit.is_some_and(|hit| matches!(hit.part, "cap" | "base"));
     for object in case.ours.of(case.check.ray).filter(|event| matches!(event.what, What::Object { .. })) {
         let node = case.ours.combined(object.id);
-        let is_cut_away = |t: f64| node.is_some_and(|node| !intervals(node.combined).into_iter().flatten().any(|end| end == t));
+        let is_cut_away =
+            |t: f64| node.is_some_and(|node| !intervals(node.combined).into_iter().flatten().any(|end| end == t));
         for (primitive, name) in case.ours.primitives(object.id) {
             let Some((_, candidates)) = case.ours.candidates(primitive.id) else { continue };
             let is_told = case.agrees(case.check.ray, |subject| subject == Subject::Hits(primitive.id));
@@ -96,7 +97,8 @@ fn of_wrong_times(case: Case, guesses: &mut Vec<Guess>) {
                 // Single roots are hits of their own, and stand among those that were rejected.
                 let counts = is_hit || *cause == DIRECTION_NORMALISED;
                 if counts && cause.id != "one-root" {
-                    let changed = times.into_iter().filter(|t| !right.iter().any(|own| (own - t).abs() <= case.check.allowed));
+                    let changed =
+                        times.into_iter().filter(|t| !right.iter().any(|own| (own - t).abs() <= case.check.allowed));
                     let each = changed.map(|t| Guess::new(cause, format!("{name}: {how}: t"), [t]));
                     guesses.extend(each);
                 }
@@ -107,7 +109,11 @@ fn of_wrong_times(case: Case, guesses: &mut Vec<Guess>) {
 
 /// The times of the hits that count.
 fn accepted((_, candidates): (EventId, &[Candidate])) -> Vec<f64> {
-    candidates.iter().filter(|candidate| candidate.fate == CandidateFate::Accepted).map(|candidate| candidate.t).collect()
+    candidates
+        .iter()
+        .filter(|candidate| candidate.fate == CandidateFate::Accepted)
+        .map(|candidate| candidate.t)
+        .collect()
 }
 
 /// Guesses about a hit point, or about the start of a ray that was spawned there.
@@ -120,7 +126,11 @@ pub fn of_point(case: Case, guesses: &mut Vec<Guess>) {
     let how = format!("origin + dir |dir| t with |dir| = {}", number(direction.length()));
     guesses.push(Guess::vector(&POINT_UNIT_DIRECTION, how, origin + unit * (hit.t * direction.length_squared())));
     for told in case.units() {
-        guesses.push(Guess::vector(&POINT_UNIT_DIRECTION, "origin + dir t in another unit of t", origin + direction * (hit.t / told)));
+        guesses.push(Guess::vector(
+            &POINT_UNIT_DIRECTION,
+            "origin + dir t in another unit of t",
+            origin + direction * (hit.t / told),
+        ));
     }
     guesses.push(Guess::vector(&POINT_GENERIC, "S + c t", hit.generic_point));
     guesses.push(Guess::vector(&POINT_FROM_ORIGIN, format!("P − origin {}", vector(origin)), hit.point - origin));
@@ -135,7 +145,11 @@ pub fn of_object(case: Case) -> Vec<Explanation> {
         let What::Rejected { object, part, t, reason, .. } = &event.what else { continue };
         if same_name(object, theirs) {
             let evidence = format!("the {part} of {object} is met at t = {}, {reason}", number(*t));
-            found.extend(why(reason).into_iter().map(|cause| Explanation { cause, evidence: evidence.clone(), misfit: 1.0 }));
+            found.extend(why(reason).into_iter().map(|cause| Explanation {
+                cause,
+                evidence: evidence.clone(),
+                misfit: 1.0,
+            }));
         }
     }
     if let Some(hit) = ours.filter(|hit| matches!(hit.part, "cap" | "base")) {

@@ -85,7 +85,11 @@ pub fn of_towards(case: Case, light: EventId, guesses: &mut Vec<Guess>) {
     guesses.push(Guess::vector(&LIGHT_BACKWARDS, "−l", -lit.l));
     if let Some(position) = lit.position {
         guesses.push(Guess::vector(&LIGHT_AS_DIRECTION, "the light's position", position));
-        guesses.push(Guess::vector(&LIGHT_AS_DIRECTION, "the light's position / its length", position.normalize_or_zero()));
+        guesses.push(Guess::vector(
+            &LIGHT_AS_DIRECTION,
+            "the light's position / its length",
+            position.normalize_or_zero(),
+        ));
     }
 }
 
@@ -160,13 +164,21 @@ pub(super) fn wrong_specular(case: Case, lit: &Lit) -> Vec<(&'static Cause, Stri
             format!("I k_s (r·(−dir))^f with |dir| = {}", number(lit.direction.length())),
             shiny(lit.arriving, -r.dot(lit.direction)),
         ),
-        (&HIGHLIGHT_TIMES_COSINE, format!("I k_s (r·v)^f n·l with n·l = {}", number(n.dot(l))), lit.specular * n.dot(l)),
+        (
+            &HIGHLIGHT_TIMES_COSINE,
+            format!("I k_s (r·v)^f n·l with n·l = {}", number(n.dot(l))),
+            lit.specular * n.dot(l),
+        ),
     ];
     let share = DVec3::from_array(std::array::from_fn(|k| ratio(lit.arriving[k], lit.colour[k])));
     wrong.push((&LIGHT_COLOUR_IGNORED, "k_s (r·v)^f".to_owned(), shiny(share, r.dot(v))));
     for factor in [0.25, 0.5, 2.0, 4.0] {
         let value = lit.arriving * lit.k_s * r.dot(v).max(0.0).powf(exponent * factor);
-        wrong.push((&EXPONENT, format!("I k_s (r·v)^{} in place of {}", number(exponent * factor), number(exponent)), value));
+        wrong.push((
+            &EXPONENT,
+            format!("I k_s (r·v)^{} in place of {}", number(exponent * factor), number(exponent)),
+            value,
+        ));
     }
     if let Some(to_light) = lit.to_light {
         let length = to_light.length();
@@ -188,10 +200,9 @@ pub(super) fn wrong_specular(case: Case, lit: &Lit) -> Vec<(&'static Cause, Stri
 fn of_exponent(case: Case, lit: &Lit, guesses: &mut Vec<Guess>) {
     let (Some(theirs), r) = (case.theirs(), reflect(-lit.l, lit.n)) else { return };
     let full = lit.arriving * lit.k_s;
-    for (cause, name, base) in [
-        (&EXPONENT, "r·v", r.dot(lit.v)),
-        (&HALF_ANGLE, "n·h", lit.n.dot((lit.l + lit.v).normalize_or_zero())),
-    ] {
+    for (cause, name, base) in
+        [(&EXPONENT, "r·v", r.dot(lit.v)), (&HALF_ANGLE, "n·h", lit.n.dot((lit.l + lit.v).normalize_or_zero()))]
+    {
         if base <= 0.0 || base >= 1.0 || full.x <= 0.0 || theirs.x <= 0.0 {
             continue;
         }

@@ -201,11 +201,8 @@ fn of_direction(case: Case, guesses: &mut Vec<Guess>) {
 fn tried(check: &Check, guess: Guess) -> Option<Explanation> {
     let theirs = check.numbers();
     let lengths_count = !check.subject.is_direction();
-    let off = if lengths_count {
-        apart(&guess.predicted, theirs)
-    } else {
-        apart(&unit(&guess.predicted), &unit(theirs))
-    };
+    let off =
+        if lengths_count { apart(&guess.predicted, theirs) } else { apart(&unit(&guess.predicted), &unit(theirs)) };
     let misfit = if off == 0.0 { 0.0 } else { off / check.allowed };
     let evidence = format!("{} = {}; theirs: {}", guess.how, list(&guess.predicted), list(theirs));
     // That there is nothing is foretold by many a mistake.
