@@ -31,6 +31,7 @@ impl Workbench {
         let rest = self.messages(ui, rest.shrink(MARGIN));
         ui.scope_builder(UiBuilder::new().id_salt("dock").max_rect(rest), |ui| dock::show(ui, self));
         self.show_help(ui);
+        self.show_sharing(ui);
         self.pause_what_is_not_seen();
     }
 

@@ -5,6 +5,7 @@ use super::frame::words::{say, say_with};
 use super::pane::Pane;
 use super::picture::panel::ImageView;
 use super::picture::renderer::Renderer;
+use super::share;
 use super::story::{detail, pane as story_pane};
 use super::workbench::{OpenScene, Workbench};
 use crate::record::Effect;
@@ -52,6 +53,7 @@ impl Workbench {
             Pane::Story => Some(story_pane::position(ui.ctx(), self)),
             _ => None,
         };
+        share::tools(ui, self, pane);
         if let Some(state) = state {
             ui.label(RichText::new(state).small().weak());
         }

@@ -16,6 +16,7 @@ use crate::app::picture::panel::ImagePanel;
 use crate::app::picture::renderer::Renderer;
 use crate::app::search::pane::{Place, SearchPane};
 use crate::app::settings::Settings;
+use crate::app::share::Sharing;
 use crate::app::story::recording::Recording;
 use crate::app::story::stepping::Stepping;
 use crate::app::story::timeline::Timeline;
@@ -83,6 +84,7 @@ pub struct Workbench {
     pub(in crate::app) dock: Dock,
     pub(in crate::app) settings: Settings,
     pub(in crate::app) help: Help,
+    pub(in crate::app) sharing: Sharing,
     ctx: Context,
     outside: Outside,
 }
@@ -110,6 +112,7 @@ impl Workbench {
             dock: Dock::default(),
             settings: Settings::default(),
             help: Help::default(),
+            sharing: Sharing::default(),
             ctx: ctx.clone(),
             outside,
         };

@@ -19,6 +19,10 @@ pub enum Theme {
     Light,
     /// Light on black
     Dark,
+    /// Black and deep colours on white
+    LightContrast,
+    /// White and pale colours on black
+    DarkContrast,
 }
 
 impl From<Theme> for view::Theme {
@@ -26,6 +30,8 @@ impl From<Theme> for view::Theme {
         match theme {
             Theme::Light => Self::Light,
             Theme::Dark => Self::Dark,
+            Theme::LightContrast => Self::LightContrast,
+            Theme::DarkContrast => Self::DarkContrast,
         }
     }
 }
@@ -40,30 +46,65 @@ pub fn png(drawing: &Drawing) -> Vec<u8> {
     view::png(drawing, PIXELS_PER_POINT)
 }
 
-/// Refuses to fill a terminal with the bytes of a PNG.
-pub fn check_png_has_a_file(output: &Output) -> Result<(), Failure> {
+/// What a drawing is written as, where the ending of a file says so.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Ending {
+    /// `.svg`, and every ending that is none of the others
+    Svg,
+    /// `.png`
+    Png,
+    /// `.pdf`
+    Pdf,
+}
+
+impl Ending {
+    /// The ending of a file; the standard output has none.
+    pub fn of(path: Option<&Path>) -> Self {
+        match path.and_then(Path::extension).and_then(|ending| ending.to_str()) {
+            Some("png") => Self::Png,
+            Some("pdf") => Self::Pdf,
+            _ => Self::Svg,
+        }
+    }
+
+    /// The bytes of the file.
+    pub fn bytes(self, title: &str, drawing: &Drawing) -> Vec<u8> {
+        match self {
+            Self::Svg => svg(drawing),
+            Self::Png => png(drawing),
+            Self::Pdf => pdf(title, drawing),
+        }
+    }
+}
+
+/// The bytes of a PDF file with one page.
+pub fn pdf(title: &str, drawing: &Drawing) -> Vec<u8> {
+    view::pdf(title, std::slice::from_ref(drawing))
+}
+
+/// Refuses to fill a terminal with the bytes of `what`, such as a PNG.
+pub fn check_has_a_file(output: &Output, what: &str) -> Result<(), Failure> {
     if output.is_terminal() {
-        return Err(Failure::usage("a PNG is no text for a terminal; name a file with -o"));
+        return Err(Failure::usage(format!("{what} is no text for a terminal; name a file with -o")));
     }
     Ok(())
 }
 
-/// Where one drawing goes: a PNG where the name of the file ends so, else an SVG.
+/// Where one drawing goes, as what the ending of the file says.
 pub struct DrawingOutput {
     output: Output,
-    is_png: bool,
+    ending: Ending,
 }
 
 impl DrawingOutput {
     /// Opens it, so that a wrong path is found out before the work begins.
     pub fn create(path: Option<&Path>) -> Result<Self, Failure> {
-        let is_png = path.and_then(Path::extension).is_some_and(|ending| ending == "png");
-        Ok(Self { output: Output::create(path)?, is_png })
+        Ok(Self { output: Output::create(path)?, ending: Ending::of(path) })
     }
 
     /// Writes the drawing.
-    pub fn write(self, drawing: &Drawing) -> Result<(), Failure> {
-        self.output.write(&if self.is_png { png(drawing) } else { svg(drawing) })
+    pub fn write(self, title: &str, drawing: &Drawing) -> Result<(), Failure> {
+        self.output.write(&self.ending.bytes(title, drawing))
     }
 }
 

@@ -6,12 +6,14 @@
 mod help;
 mod scene;
 mod search;
+mod share;
 mod step;
 mod view;
 
 pub use help::HelpCommand;
 pub use scene::SceneCommand;
 pub use search::SearchCommand;
+pub use share::ShareCommand;
 pub use step::StepCommand;
 pub use view::ViewCommand;
 
@@ -100,6 +102,7 @@ areas! {
     Step(StepCommand) = "menu-step",
     Search(SearchCommand) = "menu-search",
     View(ViewCommand) = "menu-view",
+    Share(ShareCommand) = "menu-share",
     Help(HelpCommand) = "menu-help",
 }
 

@@ -1,6 +1,7 @@
 //! The picture: hover to read a pixel, click to record it, arrow keys to go to its neighbours.
 
 use crate::app::frame::theme::Palette;
+use crate::app::frame::words::{say, say_with};
 use crate::app::picture::overlay::{draw_crosshair, draw_hits};
 use crate::app::picture::placement::Placement;
 use crate::app::picture::reading::Reading;
@@ -51,7 +52,8 @@ impl ImagePanel {
         ui.painter().rect_filled(above, 0.0, palette.backdrop);
         let place = Placement::fit(view.scene, above.shrink(8.0), ui.pixels_per_point());
         let response = ui.interact(place.rect, ui.scope_id().with("picture"), Sense::click());
-        response.widget_info(|| WidgetInfo::labeled(Role::Image, true, "Rendered image"));
+        let name = say(ui.ctx(), "picture-name");
+        response.widget_info(|| WidgetInfo::labeled(Role::Image, true, &name));
         let response = response.on_hover_cursor(egui::CursorIcon::Crosshair);
 
         let painter = ui.painter_at(above);
@@ -96,8 +98,8 @@ impl ImagePanel {
                 let told = (view.told)(reading.pixel).map(|told| format!(" · {told}")).unwrap_or_default();
                 (reading.text() + &told, Some(reading.srgb()))
             }
-            (None, Some([x, y])) => (format!("Pixel ({x}, {y}). Click another, or use the arrow keys."), None),
-            (None, None) => ("Click a pixel to record what its ray does.".to_owned(), None),
+            (None, Some([x, y])) => (say_with(ui.ctx(), "picture-recorded", &[("x", x.into()), ("y", y.into())]), None),
+            (None, None) => (say(ui.ctx(), "picture-none"), None),
         };
         let mut x = line.left() + 10.0;
         if let Some([r, g, b]) = swatch {

@@ -20,7 +20,7 @@ pub fn write(kind: MapKind, [scene, plain]: [&Scene; 2], theme: Theme, output: O
     let pictures = if kind == MapKind::Error { 1 + reference_pictures(plain) as usize } else { 1 };
     let map = with_bar(pictures * kind.work(scene), || progress.done(), || map(kind, [scene, plain], &progress));
     let map = map.ok_or_else(|| Failure::interrupted("interrupted: nothing was written"))?;
-    output.write(&heat_map(&map, MAP_SIZE, theme.into()))
+    output.write(&scene.title, &heat_map(&map, MAP_SIZE, theme.into()))
 }
 
 fn map(kind: MapKind, [scene, plain]: [&Scene; 2], progress: &Progress) -> Option<HeatMap> {
