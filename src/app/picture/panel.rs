@@ -5,6 +5,7 @@ use crate::app::frame::words::{say, say_with};
 use crate::app::picture::overlay::{draw_crosshair, draw_hits};
 use crate::app::picture::placement::Placement;
 use crate::app::picture::reading::Reading;
+use crate::app::search::pane::Layer;
 use crate::app::story::recording::Recording;
 use crate::scene::Scene;
 use egui::{
@@ -30,7 +31,7 @@ pub struct ImageView<'a> {
     /// The recorded pixel.
     pub recording: Option<&'a Recording>,
     /// What lies over the picture, the lowest first.
-    pub layers: &'a [TextureHandle],
+    pub layers: &'a [Layer],
     /// What is told of a pixel besides its colour.
     pub told: &'a dyn Fn([u32; 2]) -> Option<String>,
 }
@@ -65,7 +66,7 @@ impl ImagePanel {
             }
         }
         for layer in view.layers {
-            painter.image(layer.id(), place.rect, unit_square(), Color32::WHITE);
+            painter.image(layer.texture.id(), place.rect, unit_square(), layer.tint);
         }
         painter.rect_stroke(place.rect, 0.0, Stroke::new(1.0, palette.edge), StrokeKind::Outside);
         if let Some(recording) = view.recording {

@@ -7,7 +7,9 @@ use crate::app::frame::words::{say, say_with};
 use crate::query::{FIRST_SIDE, Found, Query, Search, scan};
 use crate::record::EventId;
 use crate::scene::Scene;
-use egui::{Align2, Button, Context, FontId, Rect, Role, ScrollArea, Sense, TextureHandle, Ui, WidgetInfo, vec2};
+use egui::{
+    Align2, Button, ColorImage, Context, FontId, Rect, Role, ScrollArea, Sense, TextureHandle, Ui, WidgetInfo, vec2,
+};
 use std::sync::Arc;
 
 /// Height of a row, in points.
@@ -17,7 +19,7 @@ const ROW: f32 = 22.0;
 pub struct Asked {
     query: Query,
     scene: Arc<Scene>,
-    job: Option<Background<Search>>,
+    job: Option<Background<(Search, ColorImage)>>,
     search: Option<Search>,
     texture: Option<TextureHandle>,
     /// The result that was gone to last.
@@ -35,12 +37,21 @@ pub struct Place {
     pub event: Option<EventId>,
 }
 
+impl Drop for Asked {
+    fn drop(&mut self) {
+        layer::drop_elsewhere(self.search.take());
+    }
+}
+
 impl Asked {
     /// Begins to search.
     pub fn start(ctx: &Context, query: &Query, scene: &Arc<Scene>) -> Self {
         let (asked, whole) = (query.clone(), Arc::clone(scene));
         let job = Background::start(ctx, "search", move |progress, publish| {
-            scan(&whole, &asked, FIRST_SIDE, progress, publish);
+            scan(&whole, &asked, FIRST_SIDE, progress, |search| {
+                let image = layer::found(&search);
+                publish((search, image));
+            });
         });
         let (query, scene) = (query.clone(), Arc::clone(scene));
         Self { query, scene, job, search: None, texture: None, at: None, has_moved: false }
@@ -60,12 +71,12 @@ impl Asked {
     pub fn update(&mut self, ctx: &Context) {
         let Some(job) = &self.job else { return };
         let is_finished = job.is_finished();
-        if let Some(search) = job.take() {
+        if let Some((search, image)) = job.take() {
             // What was gone to keeps its place in the list, which grows.
             let pixel = self.at.and_then(|at| self.results().get(at)).map(|found| found.pixel);
             self.at = pixel.and_then(|pixel| search.found.iter().position(|found| found.pixel == pixel));
-            self.texture = Some(layer::found(ctx, &search));
-            self.search = Some(search);
+            self.texture = Some(layer::upload(ctx, "found", image));
+            layer::drop_elsewhere(self.search.replace(search));
         }
         if is_finished {
             self.job = None;

@@ -2,8 +2,16 @@
 
 use crate::app::frame::theme::colour;
 use crate::query::Search;
-use crate::view::{Colour, HeatMap, Theme};
+use crate::view::{HeatMap, Theme};
 use egui::{Color32, ColorImage, Context, TextureHandle, TextureOptions};
+
+/// Something over the picture, in its size.
+pub struct Layer {
+    /// The pixels.
+    pub texture: TextureHandle,
+    /// How much of it is seen: white for all, fainter for less.
+    pub tint: Color32,
+}
 
 /// The hatching of pixels that were found: light and dark by turns, so that it is seen on any picture.
 const LIGHT: Color32 = Color32::from_rgba_premultiplied(230, 230, 230, 230);
@@ -12,7 +20,7 @@ const DARK: Color32 = Color32::from_rgba_premultiplied(10, 10, 16, 200);
 const PERIOD: u32 = 6;
 
 /// The pixels that were found: an outline, and lines across where there is room for them.
-pub fn found(ctx: &Context, search: &Search) -> TextureHandle {
+pub fn found(search: &Search) -> ColorImage {
     let [width, height] = search.grid.size;
     let matches = |x: i64, y: i64| {
         let inside = u32::try_from(x).ok().zip(u32::try_from(y).ok());
@@ -32,18 +40,22 @@ pub fn found(ctx: &Context, search: &Search) -> TextureHandle {
         }
     };
     let pixels = (0..height).flat_map(|y| (0..width).map(move |x| (x, y))).map(|(x, y)| pixel(x, y)).collect();
-    texture(ctx, "found", [width, height], pixels)
+    ColorImage::new([width, height].map(|side| side as usize), pixels)
 }
 
-/// A map, so opaque.
-pub fn map(ctx: &Context, map: &HeatMap, theme: Theme, opacity: f32) -> TextureHandle {
-    let faded = |own: Colour| colour(own.faded(f64::from(opacity)));
-    let pixels = map.colours(theme).into_iter().map(faded).collect();
-    let size = map.size.map(|side| u32::try_from(side).unwrap_or(u32::MAX));
-    texture(ctx, "map", size, pixels)
+/// A map in its colours.
+pub fn map(map: &HeatMap, theme: Theme) -> ColorImage {
+    ColorImage::new(map.size, map.colours(theme).into_iter().map(colour).collect())
 }
 
-fn texture(ctx: &Context, name: &str, size: [u32; 2], pixels: Vec<Color32>) -> TextureHandle {
-    let image = ColorImage::new(size.map(|side| side as usize), pixels);
+/// Puts a layer where it can be drawn from.
+pub fn upload(ctx: &Context, name: &str, image: ColorImage) -> TextureHandle {
     ctx.load_texture(name, image, TextureOptions::NEAREST)
+}
+
+/// Drops what may be large, in a thread of its own: that can take longer than a frame has.
+pub fn drop_elsewhere<T: Send + 'static>(old: Option<T>) {
+    let Some(old) = old else { return };
+    // Where no thread can be started it is dropped here.
+    let _ = std::thread::Builder::new().name("drop".to_owned()).spawn(move || drop(old));
 }

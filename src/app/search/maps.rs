@@ -1,7 +1,7 @@
 //! Maps: a quantity of every pixel, over the picture and with its legend in the panel.
 
 use super::found::Place;
-use super::layer;
+use super::layer::{self, Layer};
 use crate::app::drawings::canvas::Canvas;
 use crate::app::frame::background::Background;
 use crate::app::frame::theme::drawing_theme;
@@ -9,7 +9,9 @@ use crate::app::frame::words::{say, say_with};
 use crate::query::{FIRST_SIDE, Quantity, Survey, survey};
 use crate::scene::Scene;
 use crate::view::{HeatMap, Theme, heat_map};
-use egui::{Context, Pos2, Rect, RichText, Role, Sense, Slider, TextureHandle, Ui, WidgetInfo, pos2, vec2};
+use egui::{
+    Color32, ColorImage, Context, Pos2, Rect, RichText, Role, Sense, Slider, TextureHandle, Ui, WidgetInfo, pos2, vec2,
+};
 use std::sync::Arc;
 use std::time::Instant;
 
@@ -18,7 +20,8 @@ pub struct Maps {
     quantity: Option<Quantity>,
     job: Option<Job>,
     known: Option<Known>,
-    over: Option<(OverKey, TextureHandle)>,
+    /// The layer over the picture, for a theme.
+    over: Option<(Theme, TextureHandle)>,
     canvas: Canvas<DrawnKey>,
     /// How opaque the map lies over the picture; nothing of it is seen at 0.
     opacity: f32,
@@ -28,7 +31,7 @@ pub struct Maps {
 struct Job {
     quantity: Quantity,
     scene: Arc<Scene>,
-    work: Background<Survey>,
+    work: Background<Mapped>,
 }
 
 /// What is known of a quantity.
@@ -37,8 +40,12 @@ struct Known {
     map: Arc<HeatMap>,
 }
 
-/// What the texture over the picture depends on.
-type OverKey = (Arc<HeatMap>, Theme, u8);
+/// What is known of a quantity, with the layer over the picture.
+struct Mapped {
+    known: Known,
+    theme: Theme,
+    image: ColorImage,
+}
 
 /// What the drawing depends on.
 #[derive(Clone)]
@@ -93,9 +100,9 @@ impl Maps {
         }
         let Some(job) = &self.job else { return };
         let is_finished = job.work.is_finished();
-        if let Some(survey) = job.work.take() {
-            let map = Arc::new(survey.map());
-            self.known = Some(Known { survey, map });
+        if let Some(Mapped { known, theme, image }) = job.work.take() {
+            self.over = Some((theme, layer::upload(ctx, "map", image)));
+            layer::drop_elsewhere(self.known.replace(known));
         }
         if is_finished {
             self.job = None;
@@ -110,20 +117,14 @@ impl Maps {
     }
 
     /// What lies over the picture.
-    pub fn texture(&mut self, ctx: &Context) -> Option<TextureHandle> {
-        let map = Arc::clone(&self.known.as_ref()?.map);
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 0 and 100")]
-        let percent = (100.0 * self.opacity).clamp(0.0, 100.0) as u8;
+    pub fn layer(&mut self, ctx: &Context) -> Option<Layer> {
         let theme = drawing_theme(ctx);
-        let is_current = |key: &OverKey| Arc::ptr_eq(&key.0, &map) && (key.1, key.2) == (theme, percent);
-        if percent == 0 {
-            return None;
+        let map = &self.known.as_ref()?.map;
+        if self.over.as_ref().is_none_or(|(of, _)| *of != theme) {
+            self.over = Some((theme, layer::upload(ctx, "map", layer::map(map, theme))));
         }
-        if !self.over.as_ref().is_some_and(|(key, _)| is_current(key)) {
-            let texture = layer::map(ctx, &map, theme, self.opacity);
-            self.over = Some(((map, theme, percent), texture));
-        }
-        self.over.as_ref().map(|(_, texture)| texture.clone())
+        let tint = Color32::WHITE.gamma_multiply(self.opacity);
+        self.over.as_ref().map(|(_, texture)| Layer { texture: texture.clone(), tint })
     }
 
     /// What the map says of a pixel.
@@ -198,10 +199,14 @@ impl Maps {
 }
 
 fn start(ctx: &Context, quantity: Quantity, scene: &Arc<Scene>) -> Option<Job> {
-    let whole = Arc::clone(scene);
+    let (whole, theme) = (Arc::clone(scene), drawing_theme(ctx));
     let work = Background::start(ctx, "map", move |progress, publish| {
         let began = Instant::now();
-        survey(&whole, quantity, FIRST_SIDE, &|| began.elapsed(), progress, publish);
+        survey(&whole, quantity, FIRST_SIDE, &|| began.elapsed(), progress, |survey| {
+            let map = Arc::new(survey.map());
+            let image = layer::map(&map, theme);
+            publish(Mapped { known: Known { survey, map }, theme, image });
+        });
     })?;
     Some(Job { quantity, scene: Arc::clone(scene), work })
 }

@@ -8,10 +8,11 @@ use crate::app::frame::theme::Palette;
 use crate::app::frame::words::say;
 use crate::query::{PRESETS, Quantity, Vocabulary};
 use crate::scene::Scene;
-use egui::{Context, RichText, TextureHandle, Ui};
+use egui::{Color32, Context, RichText, Ui};
 use std::sync::Arc;
 
 pub use super::found::Place;
+pub use super::layer::Layer;
 pub use super::maps::word as word_of_map;
 
 /// What the panel remembers between frames.
@@ -118,9 +119,10 @@ impl SearchPane {
     }
 
     /// What lies over the picture, the lowest first.
-    pub fn layers(&mut self, ctx: &Context) -> Vec<TextureHandle> {
-        let map = self.maps.texture(ctx);
+    pub(in crate::app) fn layers(&mut self, ctx: &Context) -> Vec<Layer> {
+        let map = self.maps.layer(ctx);
         let found = self.asked.as_ref().and_then(Asked::texture).cloned();
+        let found = found.map(|texture| Layer { texture, tint: Color32::WHITE });
         map.into_iter().chain(found).collect()
     }
 

@@ -34,8 +34,8 @@ pub struct Search {
 /// Asks every pixel of a scene's picture, coarse to fine from blocks of the given side. `on_pass` sees what was found after each
 /// pass. None if it was cancelled before the last.
 ///
-/// The answer is that of recording every pixel in full. But a pixel is first traced without recording, which takes a hundredth of
-/// the time, and not recorded if what rays were sent and which effects were run exclude that it matches.
+/// The answer is that of recording every pixel in full. But a pixel is first traced without recording, which takes far less
+/// time, and not recorded if what rays were sent and which effects were run exclude that it matches.
 pub fn scan(
     scene: &Scene,
     query: &Query,

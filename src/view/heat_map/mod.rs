@@ -1,7 +1,8 @@
 //! A value for each pixel of a picture, as colours with their legend.
 //!
 //! Each pixel is a square of whole points, so that no seams are seen between them. Where a picture has more pixels than the
-//! drawing has room for, a square stands for the worst of several.
+//! drawing has room for, a square stands for the worst of several; of kinds and directions, which are not better or worse, for the
+//! middle one.
 
 mod colours;
 mod legend;
@@ -79,8 +80,12 @@ pub fn heat_map(map: &HeatMap, size: [f64; 2], theme: Theme) -> Drawing {
     let mut drawing = Drawing::new(size, palette.ground);
     let room = heading(&mut drawing, map, palette);
     let (frame, pixels) = squares(map, room);
-    let notes =
-        if pixels > 1 { vec![format!("each square is the worst of {pixels} × {pixels} pixels")] } else { Vec::new() };
+    let which = match map.scale {
+        HeatScale::Kinds(_) | HeatScale::Directions(_) => "the middle one",
+        _ => "the worst",
+    };
+    let note = || format!("each square is {which} of {pixels} × {pixels} pixels");
+    let notes: Vec<String> = (pixels > 1).then(note).into_iter().collect();
     let squares = Squares::new(map, frame, pixels);
     squares.paint(&mut drawing, palette);
     signs::draw(&mut drawing, map, &squares);
