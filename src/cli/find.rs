@@ -90,7 +90,7 @@ impl Find {
         query.unknown_names(&Vocabulary::of(&scene)).iter().for_each(|problem| warn(&problem.to_string()));
         let output = Output::create(self.output.as_deref())?;
         if self.format == Format::Png {
-            drawn::check_png_has_a_file(&output)?;
+            drawn::check_has_a_file(&output, "a PNG")?;
         }
         let progress = stopped_by_ctrl_c();
         let pixels = scene.image.width as usize * scene.image.height as usize;
