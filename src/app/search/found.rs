@@ -7,6 +7,7 @@ use crate::app::frame::words::{say, say_with};
 use crate::query::{FIRST_SIDE, Found, Query, Search, scan};
 use crate::record::EventId;
 use crate::scene::Scene;
+use egui::text::{LayoutJob, TextWrapping};
 use egui::{
     Align2, Button, ColorImage, Context, FontId, Rect, Role, ScrollArea, Sense, TextureHandle, Ui, WidgetInfo, vec2,
 };
