@@ -11,6 +11,7 @@ pub mod accuracy;
 #[cfg(feature = "workbench")]
 pub mod app;
 pub mod cli;
+pub mod compare;
 pub mod cpu_time;
 pub mod csg;
 pub mod folder;

@@ -18,6 +18,7 @@ impl Workbench {
         self.settings.apply(&ctx, self.dock.preset().magnification());
         self.take_files(&ctx);
         self.advance_story(&ctx);
+        self.arrive();
         // What lies over the workbench has the keys.
         let command = if matches!(self.help, Help::None) { command::pressed(&ctx, self) } else { None };
         if let Some(command) = command {

@@ -16,13 +16,16 @@ mod layout;
 mod pane;
 mod panes;
 mod picture;
+mod search;
 mod settings;
 mod share;
 mod story;
 mod window;
 mod workbench;
 
-pub use command::{Command, Commands, HelpCommand, SceneCommand, ShareCommand, StepCommand, ViewCommand};
+pub use command::{
+    Command, Commands, HelpCommand, SceneCommand, SearchCommand, ShareCommand, StepCommand, ViewCommand,
+};
 pub use dock::{Dock, Preset};
 pub use pane::Pane;
 pub use settings::Settings;

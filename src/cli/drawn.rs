@@ -6,6 +6,9 @@ use crate::view::{self, Drawing};
 use clap::ValueEnum;
 use std::path::Path;
 
+/// Maps are this large, in points.
+pub const MAP_SIZE: [f64; 2] = [900.0, 560.0];
+
 /// PNGs have two pixels a point.
 const PIXELS_PER_POINT: f32 = 2.0;
 
@@ -16,6 +19,10 @@ pub enum Theme {
     Light,
     /// Light on black
     Dark,
+    /// Black and deep colours on white
+    LightContrast,
+    /// White and pale colours on black
+    DarkContrast,
 }
 
 impl From<Theme> for view::Theme {
@@ -23,6 +30,8 @@ impl From<Theme> for view::Theme {
         match theme {
             Theme::Light => Self::Light,
             Theme::Dark => Self::Dark,
+            Theme::LightContrast => Self::LightContrast,
+            Theme::DarkContrast => Self::DarkContrast,
         }
     }
 }
@@ -79,6 +88,24 @@ pub fn check_has_a_file(output: &Output, what: &str) -> Result<(), Failure> {
         return Err(Failure::usage(format!("{what} is no text for a terminal; name a file with -o")));
     }
     Ok(())
+}
+
+/// Where one drawing goes, as what the ending of the file says.
+pub struct DrawingOutput {
+    output: Output,
+    ending: Ending,
+}
+
+impl DrawingOutput {
+    /// Opens it, so that a wrong path is found out before the work begins.
+    pub fn create(path: Option<&Path>) -> Result<Self, Failure> {
+        Ok(Self { output: Output::create(path)?, ending: Ending::of(path) })
+    }
+
+    /// Writes the drawing.
+    pub fn write(self, title: &str, drawing: &Drawing) -> Result<(), Failure> {
+        self.output.write(&self.ending.bytes(title, drawing))
+    }
 }
 
 /// A text that ends its last line.

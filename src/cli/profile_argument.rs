@@ -15,6 +15,11 @@ pub struct ProfileArgument {
 }
 
 impl ProfileArgument {
+    /// Names one from within the program.
+    pub const fn named(accuracy: Option<String>) -> Self {
+        Self { accuracy }
+    }
+
     /// Whether there is one.
     pub const fn is_given(&self) -> bool {
         self.accuracy.is_some()
