@@ -35,10 +35,14 @@ impl Workbench {
             | Pane::Signs
             | Pane::Snell
             | Pane::Shading
-            | Pane::Planes
-            | Pane::Compare
-            | Pane::Editor
-            | Pane::Properties => empty(ui, &say(ui.ctx(), &format!("{}-about", pane.word()))),
+            | Pane::Planes => {
+                if let Some(event) = self.drawings.ui(ui, pane, self.recording.as_mut()) {
+                    self.select(event);
+                }
+            }
+            Pane::Compare | Pane::Editor | Pane::Properties => {
+                empty(ui, &say(ui.ctx(), &format!("{}-about", pane.word())));
+            }
         }
     }
 
@@ -51,7 +55,10 @@ impl Workbench {
                 None
             }
             Pane::Story => Some(story_pane::position(ui.ctx(), self)),
-            _ => None,
+            _ => {
+                self.drawings.tools(ui, pane, self.recording.as_mut());
+                None
+            }
         };
         share::tools(ui, self, pane);
         if let Some(state) = state {

@@ -3,6 +3,7 @@
 use crate::app::accuracy::pane::{AccuracyPane, Wish};
 use crate::app::command::Command;
 use crate::app::dock::Dock;
+use crate::app::drawings::all::Drawings;
 use crate::app::drawings::plots::PlotsPanel;
 use crate::app::drawings::side::SidePanel;
 use crate::app::effects::pane::EffectsPane;
@@ -78,6 +79,7 @@ pub struct Workbench {
     pub(in crate::app) image: ImagePanel,
     pub(in crate::app) side: SidePanel,
     pub(in crate::app) plots: PlotsPanel,
+    pub(in crate::app) drawings: Drawings,
     pub(in crate::app) effects: EffectsPane,
     pub(in crate::app) accuracy: AccuracyPane,
     pub(in crate::app) search: SearchPane,
@@ -106,6 +108,7 @@ impl Workbench {
             image: ImagePanel::default(),
             side: SidePanel::default(),
             plots: PlotsPanel::default(),
+            drawings: Drawings::default(),
             effects: EffectsPane::default(),
             accuracy: AccuracyPane::default(),
             search: SearchPane::default(),
