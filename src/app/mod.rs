@@ -6,6 +6,7 @@
 
 mod accuracy;
 mod command;
+mod compare;
 mod dock;
 mod drawings;
 mod effects;
@@ -21,7 +22,7 @@ mod story;
 mod window;
 mod workbench;
 
-pub use command::{Command, Commands, HelpCommand, SceneCommand, StepCommand, ViewCommand};
+pub use command::{Command, Commands, CompareCommand, HelpCommand, SceneCommand, StepCommand, ViewCommand};
 pub use dock::{Dock, Preset};
 pub use pane::Pane;
 pub use settings::Settings;

@@ -130,7 +130,8 @@ impl Compare {
         let right = ProfileArgument::named(self.with_accuracy.clone()).apply(right)?;
         let here = self.pixel.unwrap_or_else(|| telling(&left));
         let usual = if self.with_scene.is_some() && self.pixel.is_none() { telling(&right) } else { here };
-        let trees = [(&left, here), (&right, self.with_pixel.unwrap_or(usual))].map(|(scene, pixel)| record(scene, pixel));
+        let trees =
+            [(&left, here), (&right, self.with_pixel.unwrap_or(usual))].map(|(scene, pixel)| record(scene, pixel));
         let [left, right] = trees;
         let (left, right) = (left?, right?);
         let tolerance = Tolerance { relative: self.tolerance.unwrap_or(0.0), absolute: 0.0 };
@@ -156,5 +157,7 @@ fn record(scene: &Scene, [x, y]: [u32; 2]) -> Result<RayTree, Failure> {
 /// A share from 0 to 1.
 fn share(text: &str) -> Result<f64, String> {
     let number: Option<f64> = text.parse().ok();
-    number.filter(|share| (0.0..=1.0).contains(share)).ok_or_else(|| "expected a share from 0 to 1, such as 1e-6".to_owned())
+    number
+        .filter(|share| (0.0..=1.0).contains(share))
+        .ok_or_else(|| "expected a share from 0 to 1, such as 1e-6".to_owned())
 }

@@ -104,11 +104,7 @@ pub fn foreign_json(comparison: &Comparison) -> Result<String, Failure> {
 }
 
 /// Two trees: all rows that are not the same.
-pub fn difference_json(
-    pairs: &TreeDifference,
-    trees: [&RayTree; 2],
-    tolerance: &Tolerance,
-) -> Result<String, Failure> {
+pub fn difference_json(pairs: &TreeDifference, trees: [&RayTree; 2], tolerance: &Tolerance) -> Result<String, Failure> {
     let [same, changed, only_left, only_right] = pairs.counts();
     let rows = pairs.different().map(|place| {
         let pair = pairs.pairs[place];

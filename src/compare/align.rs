@@ -147,8 +147,7 @@ fn rising(places: &[[usize; 2]]) -> Vec<[usize; 2]> {
         before.push(length.checked_sub(1).map(|k| last[k]));
         if length == last.len() { last.push(i) } else { last[length] = i }
     }
-    let mut chain: Vec<_> =
-        std::iter::successors(last.last().copied(), |&i| before[i]).map(|i| places[i]).collect();
+    let mut chain: Vec<_> = std::iter::successors(last.last().copied(), |&i| before[i]).map(|i| places[i]).collect();
     chain.reverse();
     chain
 }

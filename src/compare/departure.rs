@@ -1,8 +1,8 @@
 //! Where two stories part for the first time, in words.
 
+use super::Tolerance;
 use super::difference::{Standing, TreeDifference};
 use super::fields::Change;
-use super::Tolerance;
 use crate::record::{EventId, What};
 use crate::trace::RayTree;
 use crate::view::row;

@@ -140,8 +140,7 @@ fn what_an_edit_changed_is_all_that_differs() {
     let pairs = exact(&left, &right);
     let kinds: Vec<_> = pairs.different().map(|row| &left.event(pairs.pairs[row].left.unwrap()).what).collect();
     assert!(!kinds.is_empty());
-    let expected =
-        |what: &What| matches!(what, What::Ambient { .. } | What::Colour { .. } | What::Written { .. });
+    let expected = |what: &What| matches!(what, What::Ambient { .. } | What::Colour { .. } | What::Written { .. });
     assert!(kinds.into_iter().all(expected));
 }
 

@@ -18,9 +18,9 @@ pub fn difference_text(pairs: &TreeDifference, trees: [&RayTree; 2], tolerance: 
     text += &format!("{left} happen only here (-), {right} only there (+)\n");
     let first = pairs.first_departure(trees[0], trees[1], tolerance);
     put_departure(&mut text, "first difference", first.as_ref(), trees);
-    let parting = pairs.first_parting(trees[0], trees[1], tolerance).filter(|parting| {
-        first.as_ref().is_none_or(|first| first.row != parting.row)
-    });
+    let parting = pairs
+        .first_parting(trees[0], trees[1], tolerance)
+        .filter(|parting| first.as_ref().is_none_or(|first| first.row != parting.row));
     put_departure(&mut text, "first that goes another way", parting.as_ref(), trees);
     text.push('\n');
     put_rows(&mut text, pairs, trees, tolerance);

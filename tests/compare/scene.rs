@@ -112,14 +112,7 @@ fn read_object(value: &Value, bug: Bug) -> Object {
     Object { name, material, leaves, solid }
 }
 
-fn read_solid(
-    value: &Value,
-    outer: DAffine3,
-    material: &str,
-    name: &str,
-    bug: Bug,
-    leaves: &mut Vec<Leaf>,
-) -> Solid {
+fn read_solid(value: &Value, outer: DAffine3, material: &str, name: &str, bug: Bug, leaves: &mut Vec<Leaf>) -> Solid {
     let matrix = outer * transform(&value["transform"], bug);
     let material = value["material"].as_str().unwrap_or(material);
     let shape = value["shape"].as_str().unwrap().to_owned();

@@ -104,7 +104,11 @@ fn inside(solid: &Solid, object: &Object, of_leaf: &dyn Fn(usize) -> Vec<Crossin
     all.sort_by(|a, b| a.0.t.total_cmp(&b.0.t));
     let mut result = Vec::new();
     for (crossing, is_left) in all {
-        if is_left { in_left = !in_left } else { in_right = !in_right }
+        if is_left {
+            in_left = !in_left
+        } else {
+            in_right = !in_right
+        }
         let is_inside = match operator {
             "union" => in_left || in_right,
             "intersection" => in_left && in_right,

@@ -206,10 +206,7 @@ impl<'a> Tracer<'a> {
         let w = if self.has(Bug::TotalReflectionIgnored) { w.max(0.0) } else { w };
         let sign = if self.has(Bug::SnellSign) { 1.0 } else { -1.0 };
         let refracted = (w >= 0.0).then(|| (eta * d + (eta * cosine + sign * w.sqrt()) * n).normalize());
-        self.say(
-            Prints::Everything,
-            json!({ "refracted": refracted.map(|r| r.to_array()), "n1": n1, "n2": n2 }),
-        );
+        self.say(Prints::Everything, json!({ "refracted": refracted.map(|r| r.to_array()), "n1": n1, "n2": n2 }));
         refracted
     }
 

@@ -3,11 +3,13 @@
 //! Each area has a file with an enum of its own, which implements [`Commands`]. Menus, keys, the palette, the help and the tests are made
 //! from [`Command::all`], so that none of them can lack one.
 
+mod compare;
 mod help;
 mod scene;
 mod step;
 mod view;
 
+pub use compare::CompareCommand;
 pub use help::HelpCommand;
 pub use scene::SceneCommand;
 pub use step::StepCommand;
@@ -96,6 +98,7 @@ macro_rules! areas {
 areas! {
     Scene(SceneCommand) = "menu-scene",
     Step(StepCommand) = "menu-step",
+    Compare(CompareCommand) = "menu-compare",
     View(ViewCommand) = "menu-view",
     Help(HelpCommand) = "menu-help",
 }

@@ -313,7 +313,9 @@ mod tests {
 
     #[test]
     fn nonsense_is_answered_and_never_a_panic() {
-        for text in ["{", "}", "\"", "{\"a\"", "\u{0}", "{\"inside\": [[1]]}", "{\"hits\": [[]]}", "{\"t\": 1e999}", "é{"] {
+        for text in
+            ["{", "}", "\"", "{\"a\"", "\u{0}", "{\"inside\": [[1]]}", "{\"hits\": [[]]}", "{\"t\": 1e999}", "é{"]
+        {
             let _ = ForeignTrace::read(text);
         }
     }

@@ -1,6 +1,6 @@
 //! The comparison of all that a foreign ray tracer says with our own stories.
 
-use super::causes::{Case, Explanation, explain};
+use super::causes::{CAUSES, CLOSE, Case, Cause, Explanation, explain};
 use super::check::{Check, Subject};
 use super::line::{Line, RayWord};
 use super::ours::Ours;
@@ -66,6 +66,35 @@ impl Comparison {
         self.stories.iter().map(|story| story.checks).sum()
     }
 
+    /// The causes that explain the first departures of the most stories, with how many each explains.
+    #[must_use]
+    pub fn verdict(&self) -> Vec<(&'static Cause, usize)> {
+        let mut counts: Vec<(&'static Cause, usize)> = CAUSES.iter().map(|cause| (*cause, 0)).collect();
+        let departures = self.stories.iter().filter_map(|story| story.departure.as_ref());
+        for explanation in departures.flat_map(|departure| &departure.causes) {
+            if let Some((_, count)) = counts.iter_mut().find(|(cause, _)| *cause == explanation.cause) {
+                *count += 1;
+            }
+        }
+        counts.retain(|(_, count)| *count > 0);
+        counts.sort_by_key(|(_, count)| std::cmp::Reverse(*count));
+        counts
+    }
+
+    /// One program mostly makes one mistake: of the causes that explain a departure, that one is the likeliest which explains
+    /// the most others too.
+    fn weigh(&mut self) {
+        let verdict = self.verdict();
+        let count = |explanation: &Explanation| {
+            verdict.iter().find(|(cause, _)| *cause == explanation.cause).map_or(0, |(_, count)| *count)
+        };
+        for departure in self.stories.iter_mut().filter_map(|story| story.departure.as_mut()) {
+            departure
+                .causes
+                .sort_by_key(|explanation| (explanation.misfit > CLOSE, std::cmp::Reverse(count(explanation))));
+        }
+    }
+
     /// The first story that departs.
     #[must_use]
     pub fn first_departure(&self) -> Option<(&StoryComparison, &ForeignDeparture)> {
@@ -101,7 +130,9 @@ pub fn compare_foreign(scene: &Scene, trace: &ForeignTrace, share: f64) -> Resul
         let tree = record(&scene, place, lines)?;
         stories.push(story(&scene, place, tree, lines, share, &mut notes));
     }
-    Ok(Comparison { stories, notes })
+    let mut comparison = Comparison { stories, notes };
+    comparison.weigh();
+    Ok(comparison)
 }
 
 fn record(scene: &Scene, place: Place, lines: &[Line]) -> Result<RayTree, String> {

@@ -24,7 +24,9 @@ impl Walk<'_, '_> {
         if let Some((primitive, _)) = primitive {
             self.generic(line, ray, open, primitive.id);
             self.hits(line, ray, open, primitive.id);
-        } else if wanted.is_none() && let Some(theirs) = &line.hits {
+        } else if wanted.is_none()
+            && let Some(theirs) = &line.hits
+        {
             let edges = self.ours.combined(object.id).map(|node| edges(node.combined)).unwrap_or_default();
             self.times(line, ray, open, (Subject::Edges(object.id), object.id), &edges, theirs);
         }
@@ -190,7 +192,9 @@ impl Walk<'_, '_> {
     /// A line that says where the hit is and not what is hit.
     fn place(&mut self, line: &Line, ray: usize, open: Open) {
         let says = line.t.is_some() || line.point.is_some() || line.normal.is_some() || line.outward.is_some();
-        if let Some(hit) = self.ours.hit(ray).filter(|_| says && line.object.is_none() && line.light.is_none() && !open.is_shadow) {
+        if let Some(hit) =
+            self.ours.hit(ray).filter(|_| says && line.object.is_none() && line.light.is_none() && !open.is_shadow)
+        {
             self.hit_numbers(line, ray, open, &hit);
         }
     }

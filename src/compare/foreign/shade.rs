@@ -29,10 +29,9 @@ impl Walk<'_, '_> {
         self.shadow(line, ray, event, arriving != [0.0; 3]);
         if line.colour.is_none() {
             let after = self.ours.tree.subtree_end(event).saturating_sub(1);
-            for (theirs, ours, subject) in [
-                (line.diffuse, diffuse, Subject::Diffuse(event)),
-                (line.specular, specular, Subject::Specular(event)),
-            ] {
+            for (theirs, ours, subject) in
+                [(line.diffuse, diffuse, Subject::Diffuse(event)), (line.specular, specular, Subject::Specular(event))]
+            {
                 if let Some(theirs) = theirs {
                     let allowed = open.allowance.colour(ours.into());
                     self.vector(line, [event, after], ray, subject, ours.into(), theirs, allowed);
@@ -49,7 +48,8 @@ impl Walk<'_, '_> {
                 && self.ours.tree.event(sent.event).parent == Some(light)
         });
         let Some(sent) = sent else { return };
-        let places = [sent.event, sent.event];
+        // Whatever was found out on the way comes before what follows from it.
+        let places = [sent.event, self.ours.tree.subtree_end(sent.event).saturating_sub(1)];
         if let Some(lit) = line.lit {
             let word = |lit: bool| if lit { "light arrives" } else { "no light arrives" }.to_owned();
             self.words(line, places, ray, Subject::Lit(light), word(arrives), word(lit));
@@ -112,8 +112,7 @@ impl Walk<'_, '_> {
         if let Some(theirs) = line.colour {
             let told = self.ours.of(ray).filter_map(told_colour).last();
             if let Some((event, total, terms)) = told {
-                let theirs_of =
-                    [line.ambient, line.diffuse, line.specular, line.mirrored, line.transmitted];
+                let theirs_of = [line.ambient, line.diffuse, line.specular, line.mirrored, line.transmitted];
                 let all = [Term::Ambient, Term::Diffuse, Term::Specular, Term::Mirrored, Term::Transmitted];
                 for ((ours, theirs), term) in std::iter::zip(terms.unwrap_or_default(), theirs_of).zip(all) {
                     if let Some(theirs) = theirs.filter(|_| terms.is_some()) {

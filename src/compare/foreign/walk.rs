@@ -134,8 +134,11 @@ impl<'a, 'b> Walk<'a, 'b> {
         if let Some(theirs) = line.origin {
             let distance = (DVec3::from_array(theirs) - origin).length();
             let before = Allowance::new(self.share, depth, self.open.last().map_or(0.0, |open| open.allowance.moved()));
-            let allowed =
-                if ray == 0 { before.point(origin, origin) } else { before.point(origin, origin).max(Allowance::start(origin)) };
+            let allowed = if ray == 0 {
+                before.point(origin, origin)
+            } else {
+                before.point(origin, origin).max(Allowance::start(origin))
+            };
             moved = if distance <= allowed && distance > before.point(origin, origin) { distance } else { 0.0 };
             self.vector(line, [event, event], ray, Subject::RayOrigin, origin, theirs, allowed);
         }
@@ -154,7 +157,8 @@ impl<'a, 'b> Walk<'a, 'b> {
         let parent = self.open.last().map_or(Some(0), |open| open.ray)?;
         let free: Vec<usize> = self.free(parent, RayKind::Shadow).collect();
         if let Some(name) = &line.light {
-            let is_named = |&&ray: &&usize| self.ours.rays[ray].light.as_ref().is_some_and(|light| same_name(light, name));
+            let is_named =
+                |&&ray: &&usize| self.ours.rays[ray].light.as_ref().is_some_and(|light| same_name(light, name));
             return free.iter().find(is_named).copied();
         }
         let Some(direction) = direction else { return free.first().copied() };
@@ -168,16 +172,13 @@ impl<'a, 'b> Walk<'a, 'b> {
             return None;
         }
         let reach = if line.depth.is_some() { 1 } else { self.open.len() };
-        let parents: Vec<(usize, usize)> = (0..self.open.len())
-            .rev()
-            .take(reach)
-            .filter_map(|place| Some((place, self.open[place].ray?)))
-            .collect();
+        let parents: Vec<(usize, usize)> =
+            (0..self.open.len()).rev().take(reach).filter_map(|place| Some((place, self.open[place].ray?))).collect();
         let fits = |ray: usize| direction.is_none_or(|direction| is_along(self.ours.rays[ray].direction, direction));
         let find = |fits: &dyn Fn(usize) -> bool| {
-            parents.iter().find_map(|&(place, parent)| {
-                self.free(parent, kind).find(|&ray| fits(ray)).map(|ray| (place, ray))
-            })
+            parents
+                .iter()
+                .find_map(|&(place, parent)| self.free(parent, kind).find(|&ray| fits(ray)).map(|ray| (place, ray)))
         };
         let (place, ray) = find(&fits).or_else(|| find(&|_| true))?;
         self.open.truncate(place + 1);
@@ -187,7 +188,8 @@ impl<'a, 'b> Walk<'a, 'b> {
     /// The rays of a kind that ours has sent and that have no partner yet.
     fn free(&self, parent: usize, kind: RayKind) -> impl Iterator<Item = usize> + '_ {
         let rays = self.ours.rays.iter().enumerate();
-        rays.filter(move |(k, ray)| ray.parent == Some(parent) && ray.kind == kind && !self.has_partner[*k]).map(|(k, _)| k)
+        rays.filter(move |(k, ray)| ray.parent == Some(parent) && ray.kind == kind && !self.has_partner[*k])
+            .map(|(k, _)| k)
     }
 
     fn extra_ray(&mut self, line: &Line, word: RayWord) {

@@ -1,8 +1,8 @@
 //! What can be wrong with the ray through a pixel.
 
 use super::{
-    ASPECT, Case, FIELD_OF_VIEW, Guess, PICTURE_MIRRORED, PICTURE_UPSIDE_DOWN, PIXEL_CORNER, PIXEL_SHIFTED, VIEW_BACKWARDS,
-    number,
+    ASPECT, Case, FIELD_OF_VIEW, Guess, PICTURE_MIRRORED, PICTURE_UPSIDE_DOWN, PIXEL_CORNER, PIXEL_SHIFTED,
+    VIEW_BACKWARDS, number,
 };
 use crate::record::What;
 use glam::DVec3;

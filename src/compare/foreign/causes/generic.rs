@@ -45,7 +45,8 @@ pub(super) fn wrong_maps(matrix: DAffine3) -> Vec<(&'static super::Cause, &'stat
     let mut maps = vec![(&TRANSFORM_ORDER, "translated before it is scaled and turned", first)];
     let scales = DVec3::new(linear.x_axis.length(), linear.y_axis.length(), linear.z_axis.length());
     let rotation = DMat3::from_cols(linear.x_axis / scales.x, linear.y_axis / scales.y, linear.z_axis / scales.z);
-    let is_rotation = (rotation.transpose() * rotation - DMat3::IDENTITY).to_cols_array().iter().all(|x| x.abs() < 1e-9);
+    let is_rotation =
+        (rotation.transpose() * rotation - DMat3::IDENTITY).to_cols_array().iter().all(|x| x.abs() < 1e-9);
     if is_rotation {
         let turned_first = DMat3::from_diagonal(scales) * rotation;
         let backwards = rotation.transpose() * DMat3::from_diagonal(scales);

@@ -1,16 +1,16 @@
 //! What can be wrong with the hit that is taken, and with its point.
 
-use super::times::wrong_times;
+use super::times::{wrong_intervals, wrong_times};
 use super::{
-    CAP_MISSING, CAP_UNBOUNDED, Case, Cause, DIRECTION_NORMALISED, Explanation, FAR_ROOT, Guess, HIT_MISSED, NEGATIVE_T,
-    NOT_CLOSEST, POINT_FROM_ORIGIN, POINT_GENERIC, POINT_UNIT_DIRECTION, REJECTED_TAKEN, RIGHT_OPERAND_IGNORED,
-    SELF_HIT, WALL_UNBOUNDED, WRONG_OPERATOR, number, vector,
+    CAP_MISSING, CAP_UNBOUNDED, Case, Cause, DIRECTION_NORMALISED, Explanation, FAR_ROOT, Guess, HIT_MISSED,
+    NEGATIVE_T, NOT_CLOSEST, POINT_FROM_ORIGIN, POINT_GENERIC, POINT_UNIT_DIRECTION, REJECTED_TAKEN,
+    RIGHT_OPERAND_IGNORED, SELF_HIT, WALL_UNBOUNDED, WRONG_OPERATOR, number, vector,
 };
 use crate::compare::Said;
 use crate::compare::foreign::allowance::Allowance;
-use crate::compare::foreign::walk::same_name;
 use crate::compare::foreign::check::Subject;
 use crate::compare::foreign::search::intervals;
+use crate::compare::foreign::walk::same_name;
 use crate::record::{Candidate, CandidateFate, EventId, What};
 
 /// Guesses about the hit time.
@@ -25,6 +25,7 @@ pub fn of_time(case: Case, guesses: &mut Vec<Guess>) {
     of_rejected(case, guesses);
     of_candidates(case, guesses);
     of_wrong_times(case, guesses);
+    of_first_hits(case, guesses);
 }
 
 /// Hits that are there and are not the one that is seen.
@@ -57,7 +58,8 @@ fn of_candidates(case: Case, guesses: &mut Vec<Guess>) {
     let is_cap = hit.is_some_and(|hit| matches!(hit.part, "cap" | "base"));
     for object in case.ours.of(case.check.ray).filter(|event| matches!(event.what, What::Object { .. })) {
         let node = case.ours.combined(object.id);
-        let is_cut_away = |t: f64| node.is_some_and(|node| !intervals(node.combined).into_iter().flatten().any(|end| end == t));
+        let is_cut_away =
+            |t: f64| node.is_some_and(|node| !intervals(node.combined).into_iter().flatten().any(|end| end == t));
         for (primitive, name) in case.ours.primitives(object.id) {
             let Some((_, candidates)) = case.ours.candidates(primitive.id) else { continue };
             let is_told = case.agrees(case.check.ray, |subject| subject == Subject::Hits(primitive.id));
@@ -96,7 +98,8 @@ fn of_wrong_times(case: Case, guesses: &mut Vec<Guess>) {
                 // Single roots are hits of their own, and stand among those that were rejected.
                 let counts = is_hit || *cause == DIRECTION_NORMALISED;
                 if counts && cause.id != "one-root" {
-                    let changed = times.into_iter().filter(|t| !right.iter().any(|own| (own - t).abs() <= case.check.allowed));
+                    let changed =
+                        times.into_iter().filter(|t| !right.iter().any(|own| (own - t).abs() <= case.check.allowed));
                     let each = changed.map(|t| Guess::new(cause, format!("{name}: {how}: t"), [t]));
                     guesses.extend(each);
                 }
@@ -105,9 +108,62 @@ fn of_wrong_times(case: Case, guesses: &mut Vec<Guess>) {
     }
 }
 
+/// The hit that would be the first one on the ray if every primitive had been asked with the same mistake.
+fn of_first_hits(case: Case, guesses: &mut Vec<Guess>) {
+    let objects = case.ours.of(case.check.ray).filter(|event| matches!(event.what, What::Object { .. }));
+    let asked: Vec<Asked> = objects.map(|object| asked(case, object.id)).collect();
+    let mut mistakes: Vec<(&'static Cause, usize)> = Vec::new();
+    for (cause, number, _) in asked.iter().flat_map(|asked| &asked.wrong) {
+        if !mistakes.iter().any(|(known, other)| known == cause && other == number) {
+            mistakes.push((cause, *number));
+        }
+    }
+    let first = |times: &[f64]| times.iter().copied().filter(|&t| t > case.check.allowed).fold(f64::INFINITY, f64::min);
+    for (cause, number) in mistakes {
+        let of = |asked: &Asked| {
+            let wrong = asked.wrong.iter().find(|(other, place, _)| *other == cause && *place == number);
+            first(wrong.map_or(&asked.right, |(_, _, times)| times))
+        };
+        let seen = asked.iter().map(of).fold(f64::INFINITY, f64::min);
+        guesses.push(Guess::new(cause, "with that, the first hit on the ray is at t", [seen]));
+    }
+}
+
+/// The hit times of an object, as they are and as mistakes give them; the number tells apart the ways to make one mistake.
+struct Asked {
+    right: Vec<f64>,
+    wrong: Vec<(&'static Cause, usize, Vec<f64>)>,
+}
+
+fn asked(case: Case, object: EventId) -> Asked {
+    let flat = |spans: Vec<[f64; 2]>| spans.into_iter().flatten().filter(|t| t.is_finite()).collect::<Vec<_>>();
+    let (right, wrong) = match (case.ours.combined(object), case.ours.primitives(object).next()) {
+        (Some(node), _) => {
+            let wrong = wrong_intervals(case, object).into_iter().map(|(cause, _, spans)| (cause, flat(spans)));
+            (flat(intervals(node.combined)), wrong.collect::<Vec<_>>())
+        }
+        (None, Some((primitive, _))) => {
+            let wrong = wrong_times(case, primitive.id).into_iter().map(|(cause, _, times)| (cause, times));
+            let right = case.ours.candidates(primitive.id).map(accepted).unwrap_or_default();
+            (right, wrong.filter(|(cause, _)| cause.id != "one-root").collect())
+        }
+        (None, None) => (Vec::new(), Vec::new()),
+    };
+    let mut numbered: Vec<(&'static Cause, usize, Vec<f64>)> = Vec::new();
+    for (cause, times) in wrong {
+        let number = numbered.iter().filter(|(other, ..)| *other == cause).count();
+        numbered.push((cause, number, times));
+    }
+    Asked { right, wrong: numbered }
+}
+
 /// The times of the hits that count.
 fn accepted((_, candidates): (EventId, &[Candidate])) -> Vec<f64> {
-    candidates.iter().filter(|candidate| candidate.fate == CandidateFate::Accepted).map(|candidate| candidate.t).collect()
+    candidates
+        .iter()
+        .filter(|candidate| candidate.fate == CandidateFate::Accepted)
+        .map(|candidate| candidate.t)
+        .collect()
 }
 
 /// Guesses about a hit point, or about the start of a ray that was spawned there.
@@ -120,7 +176,11 @@ pub fn of_point(case: Case, guesses: &mut Vec<Guess>) {
     let how = format!("origin + dir |dir| t with |dir| = {}", number(direction.length()));
     guesses.push(Guess::vector(&POINT_UNIT_DIRECTION, how, origin + unit * (hit.t * direction.length_squared())));
     for told in case.units() {
-        guesses.push(Guess::vector(&POINT_UNIT_DIRECTION, "origin + dir t in another unit of t", origin + direction * (hit.t / told)));
+        guesses.push(Guess::vector(
+            &POINT_UNIT_DIRECTION,
+            "origin + dir t in another unit of t",
+            origin + direction * (hit.t / told),
+        ));
     }
     guesses.push(Guess::vector(&POINT_GENERIC, "S + c t", hit.generic_point));
     guesses.push(Guess::vector(&POINT_FROM_ORIGIN, format!("P − origin {}", vector(origin)), hit.point - origin));
@@ -135,7 +195,11 @@ pub fn of_object(case: Case) -> Vec<Explanation> {
         let What::Rejected { object, part, t, reason, .. } = &event.what else { continue };
         if same_name(object, theirs) {
             let evidence = format!("the {part} of {object} is met at t = {}, {reason}", number(*t));
-            found.extend(why(reason).into_iter().map(|cause| Explanation { cause, evidence: evidence.clone(), misfit: 1.0 }));
+            found.extend(why(reason).into_iter().map(|cause| Explanation {
+                cause,
+                evidence: evidence.clone(),
+                misfit: 1.0,
+            }));
         }
     }
     if let Some(hit) = ours.filter(|hit| matches!(hit.part, "cap" | "base")) {

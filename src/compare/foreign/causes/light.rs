@@ -4,7 +4,7 @@ use super::normal::wrong_normals;
 use super::{
     COSINE_ABSOLUTE, COSINE_NEGATIVE, Case, Cause, EXPONENT, FADES_WITH_DISTANCE, Guess, HALF_ANGLE,
     HIGHLIGHT_MIRROR_SIGN, HIGHLIGHT_TIMES_COSINE, HIGHLIGHT_VIEW_LENGTH, HIGHLIGHT_VIEW_SIGN, LIGHT_AS_DIRECTION,
-    LIGHT_BACKWARDS, LIGHT_COLOUR_IGNORED, LIGHT_NOT_NORMALISED, SHADOW_IGNORED, number, vector,
+    LIGHT_BACKWARDS, LIGHT_COLOUR_IGNORED, LIGHT_NOT_NORMALISED, SELF_HIT, SHADOW_IGNORED, number, vector,
 };
 use crate::compare::foreign::check::Subject;
 use crate::optics::reflect;
@@ -31,6 +31,8 @@ pub(super) struct Lit {
     k_d: DVec3,
     k_s: DVec3,
     exponent: f64,
+    /// What passes through the surface itself.
+    transparency: f64,
     pub diffuse: DVec3,
     pub specular: DVec3,
 }
@@ -66,6 +68,7 @@ pub(super) fn lit(case: Case, light: EventId) -> Option<Lit> {
         k_d: material.diffuse * pigment.unwrap_or(DVec3::ONE),
         k_s: material.specular,
         exponent: material.exponent,
+        transparency: material.transparency,
         diffuse: (*diffuse).into(),
         specular: (*specular).into(),
     })
@@ -85,7 +88,11 @@ pub fn of_towards(case: Case, light: EventId, guesses: &mut Vec<Guess>) {
     guesses.push(Guess::vector(&LIGHT_BACKWARDS, "−l", -lit.l));
     if let Some(position) = lit.position {
         guesses.push(Guess::vector(&LIGHT_AS_DIRECTION, "the light's position", position));
-        guesses.push(Guess::vector(&LIGHT_AS_DIRECTION, "the light's position / its length", position.normalize_or_zero()));
+        guesses.push(Guess::vector(
+            &LIGHT_AS_DIRECTION,
+            "the light's position / its length",
+            position.normalize_or_zero(),
+        ));
     }
 }
 
@@ -116,6 +123,8 @@ pub(super) fn wrong_diffuse(case: Case, lit: &Lit) -> Vec<(&'static Cause, Strin
         (&COSINE_NEGATIVE, with("I k_d n·l"), term(lit.colour, cosine)),
         (&LIGHT_BACKWARDS, with("I k_d max(0, −n·l)"), term(lit.colour, (-cosine).max(0.0))),
     ];
+    let how = format!("the surface itself passes {} of the light: I_diff", number(lit.transparency));
+    wrong.push((&SELF_HIT, how, lit.diffuse * lit.transparency));
     let share = DVec3::from_array(std::array::from_fn(|k| ratio(lit.arriving[k], lit.colour[k])));
     wrong.push((&LIGHT_COLOUR_IGNORED, with("k_d n·l"), term(share, cosine.max(0.0))));
     if let (Some(to_light), Some(position)) = (lit.to_light, lit.position) {
@@ -160,13 +169,23 @@ pub(super) fn wrong_specular(case: Case, lit: &Lit) -> Vec<(&'static Cause, Stri
             format!("I k_s (r·(−dir))^f with |dir| = {}", number(lit.direction.length())),
             shiny(lit.arriving, -r.dot(lit.direction)),
         ),
-        (&HIGHLIGHT_TIMES_COSINE, format!("I k_s (r·v)^f n·l with n·l = {}", number(n.dot(l))), lit.specular * n.dot(l)),
+        (
+            &HIGHLIGHT_TIMES_COSINE,
+            format!("I k_s (r·v)^f n·l with n·l = {}", number(n.dot(l))),
+            lit.specular * n.dot(l),
+        ),
     ];
+    let how = format!("the surface itself passes {} of the light: I_spec", number(lit.transparency));
+    wrong.push((&SELF_HIT, how, lit.specular * lit.transparency));
     let share = DVec3::from_array(std::array::from_fn(|k| ratio(lit.arriving[k], lit.colour[k])));
     wrong.push((&LIGHT_COLOUR_IGNORED, "k_s (r·v)^f".to_owned(), shiny(share, r.dot(v))));
     for factor in [0.25, 0.5, 2.0, 4.0] {
         let value = lit.arriving * lit.k_s * r.dot(v).max(0.0).powf(exponent * factor);
-        wrong.push((&EXPONENT, format!("I k_s (r·v)^{} in place of {}", number(exponent * factor), number(exponent)), value));
+        wrong.push((
+            &EXPONENT,
+            format!("I k_s (r·v)^{} in place of {}", number(exponent * factor), number(exponent)),
+            value,
+        ));
     }
     if let Some(to_light) = lit.to_light {
         let length = to_light.length();
@@ -188,10 +207,9 @@ pub(super) fn wrong_specular(case: Case, lit: &Lit) -> Vec<(&'static Cause, Stri
 fn of_exponent(case: Case, lit: &Lit, guesses: &mut Vec<Guess>) {
     let (Some(theirs), r) = (case.theirs(), reflect(-lit.l, lit.n)) else { return };
     let full = lit.arriving * lit.k_s;
-    for (cause, name, base) in [
-        (&EXPONENT, "r·v", r.dot(lit.v)),
-        (&HALF_ANGLE, "n·h", lit.n.dot((lit.l + lit.v).normalize_or_zero())),
-    ] {
+    for (cause, name, base) in
+        [(&EXPONENT, "r·v", r.dot(lit.v)), (&HALF_ANGLE, "n·h", lit.n.dot((lit.l + lit.v).normalize_or_zero()))]
+    {
         if base <= 0.0 || base >= 1.0 || full.x <= 0.0 || theirs.x <= 0.0 {
             continue;
         }

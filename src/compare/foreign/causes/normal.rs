@@ -42,7 +42,10 @@ fn told_wrong_normals(case: Case, ray: usize, is_outward: bool) -> Vec<(&'static
     let mut wrong = Vec::new();
     let is_turned = case.ours.is_turned_round(ray, &hit);
     if !is_outward && hit.n_geometric.dot(hit.n_shading) < 0.0 {
-        let how = format!("n out of the solid, with n · dir = {} > 0", number(hit.n_geometric.dot(case.ours.rays[ray].direction)));
+        let how = format!(
+            "n out of the solid, with n · dir = {} > 0",
+            number(hit.n_geometric.dot(case.ours.rays[ray].direction))
+        );
         wrong.push((&NORMAL_NOT_FLIPPED, how, hit.n_geometric));
     }
     if is_turned {
@@ -87,7 +90,11 @@ fn of_transform(
         (&NORMAL_BY_INVERSE, format!("Mᵀ n / |Mᵀ n| with n = {g}"), symbol.transpose() * generic),
         (&NORMAL_TRANSLATED, format!("M n as a point, n = {g}"), matrix.transform_point3(generic)),
         (&NORMAL_RADIAL, "(P − middle) / |P − middle|".to_owned(), hit.point - matrix.translation),
-        (&NORMAL_RADIAL, format!("M⁻ᵀ p with p = {}", vector(hit.generic_point)), inverse.matrix3.transpose() * hit.generic_point),
+        (
+            &NORMAL_RADIAL,
+            format!("M⁻ᵀ p with p = {}", vector(hit.generic_point)),
+            inverse.matrix3.transpose() * hit.generic_point,
+        ),
         (
             &NORMAL_RADIAL,
             "M⁻ᵀ (p_x, p_y, 0)".to_owned(),

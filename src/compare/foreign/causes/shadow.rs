@@ -1,6 +1,8 @@
 //! Why a light arrives that should not, or does not arrive though it should.
 
-use super::{BEYOND_LIGHT, CAP_MISSING, Case, Cause, Explanation, NEGATIVE_T, SELF_HIT, SHADOW_FROM_GLASS, SHADOW_MISSED, number};
+use super::{
+    BEYOND_LIGHT, CAP_MISSING, Case, Cause, Explanation, NEGATIVE_T, SELF_HIT, SHADOW_FROM_GLASS, SHADOW_MISSED, number,
+};
 use crate::compare::Said;
 use crate::compare::foreign::allowance::Allowance;
 use crate::compare::foreign::ours::OurRay;
@@ -10,9 +12,9 @@ use crate::record::{Event, EventId, RayKind, What};
 /// The causes for a light that is told otherwise than ours.
 pub fn of_shadow(case: Case, light: EventId) -> Vec<Explanation> {
     let rays = case.ours.rays.iter().enumerate();
-    let sent = rays.into_iter().find(|(_, ray)| {
-        ray.kind == RayKind::Shadow && case.ours.tree.event(ray.event).parent == Some(light)
-    });
+    let sent = rays
+        .into_iter()
+        .find(|(_, ray)| ray.kind == RayKind::Shadow && case.ours.tree.event(ray.event).parent == Some(light));
     let Some((place, ray)) = sent else { return Vec::new() };
     let is_lit_there = matches!(&case.check.theirs, Said::Words(words) if words == "light arrives");
     if is_lit_there { missed(case, place) } else { invented(case, place, ray) }
