@@ -6,7 +6,6 @@ use crate::compare::foreign::{Comparison, ForeignTrace, Place, SHARE, StoryCompa
 use crate::record::EventId;
 use crate::scene::Scene;
 use crate::trace::RayTree;
-use crate::view::row;
 use egui::{Context, RichText, ScrollArea, Ui};
 use std::sync::Arc;
 
@@ -127,9 +126,9 @@ fn report(ui: &mut Ui, name: &str, scene: &Arc<Scene>, comparison: &Comparison) 
     for story in departing.into_iter().take(LISTED) {
         ui.separator();
         if story_ui(ui, story)
-            && let (Place::Pixel(pixel), Some(departure)) = (story.place, &story.departure)
+            && let (Place::Pixel(pixel), Some(departure), Some(tree)) = (story.place, &story.departure, &story.tree)
         {
-            let (scene, tree) = (Arc::clone(scene), story.tree.clone());
+            let (scene, tree) = (Arc::clone(scene), tree.clone());
             asked = Some(Shown { scene, pixel, tree, event: departure.check.event });
         }
     }
@@ -145,11 +144,11 @@ fn story_ui(ui: &mut Ui, story: &StoryComparison) -> bool {
         ui.label(RichText::new(story.place.words()).strong());
         ui.label(say_with(ui.ctx(), "compare-line", &[("line", check.line.into())]));
         ui.label(format!("{}: {}", departure.ray, check.subject.words()));
-        if matches!(story.place, Place::Pixel(_)) {
+        if story.tree.is_some() && matches!(story.place, Place::Pixel(_)) {
             is_asked = ui.button(say(ui.ctx(), "compare-go-ours")).clicked();
         }
     });
-    ui.label(row(story.tree.event(check.event)).label);
+    ui.label(&departure.event);
     let [ours, theirs] = check.texts();
     ui.label(RichText::new(say_with(ui.ctx(), "compare-ours", &[("value", (&ours).into())])).monospace());
     ui.label(RichText::new(say_with(ui.ctx(), "compare-theirs", &[("value", (&theirs).into())])).monospace());

@@ -179,6 +179,22 @@ pub(super) fn wrong_specular(case: Case, lit: &Lit) -> Vec<(&'static Cause, Stri
     wrong.push((&SELF_HIT, how, lit.specular * lit.transparency));
     let share = DVec3::from_array(std::array::from_fn(|k| ratio(lit.arriving[k], lit.colour[k])));
     wrong.push((&LIGHT_COLOUR_IGNORED, "k_s (r·v)^f".to_owned(), shiny(share, r.dot(v))));
+    of_strength(lit, r, &mut wrong);
+    let is_diffuse_right = case.agrees(case.check.ray, |subject| matches!(subject, Subject::Diffuse(_)));
+    for (cause, how, normal) in wrong_normals(case, case.check.ray).into_iter().filter(|_| !is_diffuse_right) {
+        let is_lit = normal.dot(l) > 0.0;
+        let cosine = reflect(-l, normal).dot(v);
+        let value = if is_lit { shiny(lit.colour, cosine) } else { DVec3::ZERO };
+        wrong.push((cause, format!("{how}: I k_s (r·v)^f"), value));
+    }
+    wrong
+}
+
+/// Highlights of another exponent, and of a light whose direction or strength is not what it should be; `r` is the mirrored
+/// direction of the light.
+fn of_strength(lit: &Lit, r: DVec3, wrong: &mut Vec<(&'static Cause, String, DVec3)>) {
+    let Lit { v, exponent, .. } = *lit;
+    let shiny = |light: DVec3, cosine: f64| light * lit.k_s * cosine.max(0.0).powf(exponent);
     for factor in [0.25, 0.5, 2.0, 4.0] {
         let value = lit.arriving * lit.k_s * r.dot(v).max(0.0).powf(exponent * factor);
         wrong.push((
@@ -193,14 +209,6 @@ pub(super) fn wrong_specular(case: Case, lit: &Lit) -> Vec<(&'static Cause, Stri
         wrong.push((&LIGHT_NOT_NORMALISED, how, shiny(lit.arriving, r.dot(v) * length)));
         wrong.push((&FADES_WITH_DISTANCE, "I k_s (r·v)^f / |L|²".to_owned(), lit.specular / (length * length)));
     }
-    let is_diffuse_right = case.agrees(case.check.ray, |subject| matches!(subject, Subject::Diffuse(_)));
-    for (cause, how, normal) in wrong_normals(case, case.check.ray).into_iter().filter(|_| !is_diffuse_right) {
-        let is_lit = normal.dot(l) > 0.0;
-        let cosine = reflect(-l, normal).dot(v);
-        let value = if is_lit { shiny(lit.colour, cosine) } else { DVec3::ZERO };
-        wrong.push((cause, format!("{how}: I k_s (r·v)^f"), value));
-    }
-    wrong
 }
 
 /// The exponent that would give their highlight, if one gives it in all three colours.
