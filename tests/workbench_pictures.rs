@@ -43,8 +43,7 @@ impl Photographer<'_> {
         let camera = Camera::default();
         let points = Vec2::new(f32::from(size[0]), f32::from(size[1]));
         let harness = egui_kittest::Harness::builder().with_size(points).renderer(camera.clone());
-        let mut photographer =
-            Self { bench: harness.build_ui_state(show, None), camera, size: size.map(usize::from) };
+        let mut photographer = Self { bench: harness.build_ui_state(show, None), camera, size: size.map(usize::from) };
         photographer.bench.step();
         for &command in commands {
             workbench_mut(&mut photographer.bench).run(command.into());
@@ -62,7 +61,8 @@ impl Photographer<'_> {
             std::thread::sleep(Duration::from_millis(25));
             self.bench.step();
             let next = self.shot();
-            let at_rest = next == last && workbench(&self.bench).picture_finished() && !workbench(&self.bench).is_busy();
+            let at_rest =
+                next == last && workbench(&self.bench).picture_finished() && !workbench(&self.bench).is_busy();
             same = if at_rest { same + 1 } else { 0 };
             last = next;
         }

@@ -3,6 +3,7 @@
 //! Each area has a file with an enum of its own, which implements [`Commands`]. Menus, keys, the palette, the help and the tests are made
 //! from [`Command::all`], so that none of them can lack one.
 
+mod compare;
 mod help;
 mod scene;
 mod search;
@@ -10,6 +11,7 @@ mod share;
 mod step;
 mod view;
 
+pub use compare::CompareCommand;
 pub use help::HelpCommand;
 pub use scene::SceneCommand;
 pub use search::SearchCommand;
@@ -101,6 +103,7 @@ areas! {
     Scene(SceneCommand) = "menu-scene",
     Step(StepCommand) = "menu-step",
     Search(SearchCommand) = "menu-search",
+    Compare(CompareCommand) = "menu-compare",
     View(ViewCommand) = "menu-view",
     Share(ShareCommand) = "menu-share",
     Help(HelpCommand) = "menu-help",
