@@ -1,6 +1,6 @@
 //! The list of breakpoints, and the search for the next pixel that stops at one.
 
-use crate::app::frame::theme::Palette;
+use crate::app::frame::theme::{Palette, has_reduced_motion};
 use crate::app::frame::words::{say, say_with};
 use crate::app::workbench::Workbench;
 use crate::story::Breakpoint;
@@ -78,7 +78,10 @@ fn new(ui: &mut Ui, workbench: &mut Workbench) {
                 stepping.question.clear();
                 stepping.question_problem = None;
             }
-            Err(error) => stepping.question_problem = Some(error.to_string()),
+            Err(error) => {
+                stepping.question_problem = Some(error.to_string());
+                stepping.wants_focus = true;
+            }
         }
     }
     if let Some(problem) = &workbench.stepping.question_problem {
@@ -94,7 +97,9 @@ fn search(ui: &mut Ui, workbench: &mut Workbench) {
             begin = button.on_hover_text(say(ui.ctx(), "step-until-about")).clicked();
         }
         Some(count) => {
-            ui.spinner();
+            if !has_reduced_motion(ui.ctx()) {
+                ui.spinner();
+            }
             ui.label(say_with(ui.ctx(), "step-until-searching", &[("count", count.into())]));
             cancel = ui.button(say(ui.ctx(), "step-until-cancel")).clicked();
         }
