@@ -5,11 +5,15 @@
 
 mod help;
 mod scene;
+mod search;
+mod share;
 mod step;
 mod view;
 
 pub use help::HelpCommand;
 pub use scene::SceneCommand;
+pub use search::SearchCommand;
+pub use share::ShareCommand;
 pub use step::StepCommand;
 pub use view::ViewCommand;
 
@@ -96,7 +100,9 @@ macro_rules! areas {
 areas! {
     Scene(SceneCommand) = "menu-scene",
     Step(StepCommand) = "menu-step",
+    Search(SearchCommand) = "menu-search",
     View(ViewCommand) = "menu-view",
+    Share(ShareCommand) = "menu-share",
     Help(HelpCommand) = "menu-help",
 }
 
