@@ -1,6 +1,6 @@
 //! The list of breakpoints, and the search for the next pixel that stops at one.
 
-use crate::app::frame::theme::{Palette, has_reduced_motion};
+use crate::app::frame::theme::Palette;
 use crate::app::frame::words::{say, say_with};
 use crate::app::workbench::Workbench;
 use crate::story::Breakpoint;
@@ -36,7 +36,7 @@ fn line(ui: &mut Ui, place: usize, breakpoint: &Breakpoint) -> Option<Change> {
     let question = breakpoint.query.to_string();
     let name = breakpoint.title.map_or_else(|| question.clone(), str::to_owned);
     let mut change = None;
-    ui.horizontal(|ui| {
+    ui.horizontal_wrapped(|ui| {
         let mut enabled = breakpoint.enabled;
         let tick = ui.checkbox(&mut enabled, &name).on_hover_text(&question);
         if tick.changed() {
@@ -59,7 +59,7 @@ fn new(ui: &mut Ui, workbench: &mut Workbench) {
     ui.horizontal(|ui| {
         let stepping = &mut workbench.stepping;
         let label = ui.label(say(ui.ctx(), "step-breakpoint-new"));
-        let width = (ui.available_width() - 90.0).max(60.0);
+        let width = (ui.available_width() - 120.0).max(60.0);
         let hint = say(ui.ctx(), "step-breakpoint-hint");
         let field = TextEdit::singleline(&mut stepping.question).desired_width(width).hint_text(hint);
         let field = ui.add(field).labelled_by(label.id);
@@ -97,9 +97,6 @@ fn search(ui: &mut Ui, workbench: &mut Workbench) {
             begin = button.on_hover_text(say(ui.ctx(), "step-until-about")).clicked();
         }
         Some(count) => {
-            if !has_reduced_motion(ui.ctx()) {
-                ui.spinner();
-            }
             ui.label(say_with(ui.ctx(), "step-until-searching", &[("count", count.into())]));
             cancel = ui.button(say(ui.ctx(), "step-until-cancel")).clicked();
         }
