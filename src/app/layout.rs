@@ -18,6 +18,7 @@ impl Workbench {
         self.settings.apply(&ctx, self.dock.preset().magnification());
         self.take_files(&ctx);
         self.advance_story(&ctx);
+        self.arrive();
         // What lies over the workbench has the keys.
         let command = if matches!(self.help, Help::None) { command::pressed(&ctx, self) } else { None };
         if let Some(command) = command {
@@ -30,6 +31,7 @@ impl Workbench {
         let rest = self.messages(ui, rest.shrink(MARGIN));
         ui.scope_builder(UiBuilder::new().id_salt("dock").max_rect(rest), |ui| dock::show(ui, self));
         self.show_help(ui);
+        self.show_sharing(ui);
         self.pause_what_is_not_seen();
     }
 

@@ -5,6 +5,7 @@ use super::frame::words::{say, say_with};
 use super::pane::Pane;
 use super::picture::panel::ImageView;
 use super::picture::renderer::Renderer;
+use super::share;
 use super::story::{detail, pane as story_pane};
 use super::workbench::{OpenScene, Workbench};
 use crate::record::Effect;
@@ -25,8 +26,10 @@ impl Workbench {
                     self.select(event);
                 }
             }
+            Pane::Compare => self.compare_pane(ui),
             Pane::Accuracy => self.accuracy_pane(ui),
             Pane::Effects => self.effects_pane(ui),
+            Pane::Search => self.search_pane(ui),
             Pane::Overview
             | Pane::Generic
             | Pane::Intervals
@@ -38,8 +41,8 @@ impl Workbench {
                     self.select(event);
                 }
             }
-            Pane::Search | Pane::Compare | Pane::Editor | Pane::Properties => {
-                empty(ui, &say(ui.ctx(), &format!("{}-about", pane.word())))
+            Pane::Editor | Pane::Properties => {
+                empty(ui, &say(ui.ctx(), &format!("{}-about", pane.word())));
             }
         }
     }
@@ -58,6 +61,7 @@ impl Workbench {
                 None
             }
         };
+        share::tools(ui, self, pane);
         if let Some(state) = state {
             ui.label(RichText::new(state).small().weak());
         }
@@ -83,7 +87,11 @@ impl Workbench {
     fn picture_pane(&mut self, ui: &mut Ui) {
         let Some(open) = &self.open else { return empty(ui, &say(ui.ctx(), "no-scene")) };
         let texture = self.renderer.texture(ui.ctx()).cloned();
-        let view = ImageView { scene: &open.scene, texture, recording: self.recording.as_ref() };
+        self.search.update(ui.ctx(), &open.scene);
+        let layers = self.search.layers(ui.ctx());
+        let told = |pixel| self.search.told(pixel);
+        let recording = self.recording.as_ref();
+        let view = ImageView { scene: &open.scene, texture, recording, layers: &layers, told: &told };
         if let Some(pixel) = self.image.ui(ui, &view) {
             self.record(pixel);
         }
@@ -104,11 +112,28 @@ impl Workbench {
         }
     }
 
+    fn compare_pane(&mut self, ui: &mut Ui) {
+        let Some(open) = &self.open else { return empty(ui, &say(ui.ctx(), "no-scene")) };
+        let wish = padded(ui, |ui| self.compare.ui(ui, open, self.recording.as_ref()));
+        if let Some(wish) = wish {
+            self.grant_comparison(wish);
+        }
+    }
+
     fn effects_pane(&mut self, ui: &mut Ui) {
         let Some(open) = &self.open else { return empty(ui, &say(ui.ctx(), "no-scene")) };
         let chosen = padded(ui, |ui| self.effects.ui(ui, open));
         if let Some(effects) = chosen {
             self.switch(ui.ctx(), effects);
+        }
+    }
+
+    fn search_pane(&mut self, ui: &mut Ui) {
+        let Some(open) = &self.open else { return empty(ui, &say(ui.ctx(), "no-scene")) };
+        self.search.update(ui.ctx(), &open.scene);
+        let place = padded(ui, |ui| self.search.ui(ui, &open.scene));
+        if let Some(place) = place {
+            self.go_to(place);
         }
     }
 

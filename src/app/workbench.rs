@@ -2,6 +2,7 @@
 
 use crate::app::accuracy::pane::{AccuracyPane, Wish};
 use crate::app::command::Command;
+use crate::app::compare::pane::ComparePane;
 use crate::app::dock::Dock;
 use crate::app::drawings::all::Drawings;
 use crate::app::drawings::plots::PlotsPanel;
@@ -15,7 +16,9 @@ use crate::app::kept;
 use crate::app::pane::Pane;
 use crate::app::picture::panel::ImagePanel;
 use crate::app::picture::renderer::Renderer;
+use crate::app::search::pane::{Place, SearchPane};
 use crate::app::settings::Settings;
+use crate::app::share::Sharing;
 use crate::app::story::recording::Recording;
 use crate::app::story::stepping::Stepping;
 use crate::app::story::timeline::Timeline;
@@ -80,9 +83,12 @@ pub struct Workbench {
     pub(in crate::app) drawings: Drawings,
     pub(in crate::app) effects: EffectsPane,
     pub(in crate::app) accuracy: AccuracyPane,
+    pub(in crate::app) search: SearchPane,
+    pub(in crate::app) compare: ComparePane,
     pub(in crate::app) dock: Dock,
     pub(in crate::app) settings: Settings,
     pub(in crate::app) help: Help,
+    pub(in crate::app) sharing: Sharing,
     ctx: Context,
     outside: Outside,
 }
@@ -107,9 +113,12 @@ impl Workbench {
             drawings: Drawings::default(),
             effects: EffectsPane::default(),
             accuracy: AccuracyPane::default(),
+            search: SearchPane::default(),
+            compare: ComparePane::default(),
             dock: Dock::default(),
             settings: Settings::default(),
             help: Help::default(),
+            sharing: Sharing::default(),
             ctx: ctx.clone(),
             outside,
         };
@@ -283,6 +292,39 @@ impl Workbench {
         }
     }
 
+    /// Records the pixel of a place, if it is not the recorded one, and then selects its event.
+    pub(in crate::app) fn go_to(&mut self, place: Place) {
+        let is_there = self.recording.as_ref().is_some_and(|recording| recording.pixel == place.pixel);
+        if !is_there || self.stepping.is_recording() {
+            self.record(place.pixel);
+        }
+        self.search.awaited = Some(place);
+        self.arrive();
+    }
+
+    /// Selects the event of the place that was gone to, once its pixel is there.
+    pub(in crate::app) fn arrive(&mut self) {
+        if self.stepping.is_recording() {
+            return;
+        }
+        let Some(Place { pixel, event: Some(event) }) = self.search.awaited.take() else { return };
+        if self.recording.as_ref().is_some_and(|recording| recording.pixel == pixel) {
+            self.select(event);
+        }
+    }
+
+    /// Finding pixels, and maps.
+    #[must_use]
+    pub const fn search(&self) -> &SearchPane {
+        &self.search
+    }
+
+    /// Finds the pixels in whose stories a question holds of an event.
+    pub fn find(&mut self, question: &str) {
+        self.reveal(Pane::Search);
+        self.search.ask(question);
+    }
+
     /// Selects an event of the recorded pixel.
     pub fn select(&mut self, event: EventId) {
         if let Some(recording) = &mut self.recording {
@@ -295,10 +337,14 @@ impl Workbench {
         if let Some(path) = self.dialog.chosen() {
             self.open_scene(ctx, &path.display().to_string());
         }
+        if self.compare.take_file() {
+            self.dock.reveal(Pane::Compare);
+        }
         let dropped = ctx.input(|input| input.raw.dropped_files.first().cloned());
         if let Some(file) = dropped {
             let name = file.path().display().to_string();
             match file.bytes().map(String::from_utf8) {
+                Ok(Ok(text)) if name.ends_with(".jsonl") => self.open_foreign(&name, &text),
                 Ok(Ok(text)) => self.open_text(ctx, &name, &text),
                 Ok(Err(_)) => self.refuse(&name, "The file is not text, so it is no scene.".to_owned()),
                 Err(error) => self.refuse(&name, format!("The file cannot be read: {error}.")),

@@ -13,6 +13,7 @@ mod frontier_plot;
 mod generic_view;
 mod heat_map;
 mod hit_test;
+mod included;
 mod interval_bars;
 mod labels;
 mod log_plot;
@@ -20,6 +21,7 @@ mod marks_text;
 mod overview;
 mod paint;
 mod palette;
+mod pdf;
 mod plane_table;
 mod primitive_at;
 #[cfg(test)]
@@ -41,6 +43,7 @@ mod snell_diagram;
 mod svg;
 mod text;
 mod timeline;
+mod views;
 mod wireframe;
 
 pub use csg_bars::csg_bars;
@@ -55,6 +58,7 @@ pub use log_plot::{Curve, LogPlot, Panel, Scale, log_plot};
 pub use overview::{OverviewOptions, Sight, Stand, overview, overview_sight};
 pub use paint::{Pixels, paint, png};
 pub use palette::{Colour, Palette, Theme};
+pub use pdf::pdf;
 pub use plane_table::{PlaneTable, plane_table};
 pub use scan_drawing::scan_drawing;
 pub use scan_text::scan_text;
@@ -62,7 +66,10 @@ pub use shading_bars::shading_bars;
 pub use side_view::{PlaneView, SectionPlane, SideViewOptions, side_view, side_view_plane};
 pub use sign_plot::{ProbedSigns, SignPlotLayout, SignProbe, probed_sign_plot, sign_plot};
 pub use snell_diagram::snell_diagram;
-pub use svg::svg;
-pub use text::{Detail, DetailLine, Row, brief, brief_vector, detail, row, significant, span_list, tree_text};
+pub use svg::{escaped, svg};
+pub use text::{
+    Detail, DetailLine, Row, beneath, brief, brief_vector, detail, equated, row, significant, span_list, tree_text,
+};
 pub use timeline::{TimelineScale, timeline};
+pub use views::{ALL_VIEWS, Subject, View, primitive_behind, search_behind};
 pub use wireframe::{WireLine, Wireframe};

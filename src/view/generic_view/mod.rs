@@ -134,11 +134,13 @@ impl Subject<'_> {
             brief_vector(at.direction.to_array())
         );
         for stop in self.stops() {
-            let fate = if stop.accepted { "a hit" } else { "no hit of it" };
-            let point = brief_vector(stop.point.to_array());
-            let _ = write!(text, " At t = {} it is at {point}, {fate}", format_number(stop.t));
-            let normal = brief_vector(stop.normal.to_array());
-            text.push_str(&if stop.accepted { format!(" with the normal {normal}.") } else { ".".to_owned() });
+            let [point, normal] = [stop.point, stop.normal].map(|v| brief_vector(v.to_array()));
+            let t = format_number(stop.t);
+            let _ = if stop.accepted {
+                write!(text, " At t = {t} it is at {point}, a hit with the normal {normal}.")
+            } else {
+                write!(text, " At t = {t} it is at {point}, no hit of it.")
+            };
         }
         if at.hits().next().is_none() {
             text.push_str(" It does not meet the shape.");
