@@ -87,15 +87,15 @@ fn every_point_of_every_scene_lies_on_its_object() {
         let wires = Wireframe::of(&scene);
         assert!(wires.len() <= 4 * MOST_POINTS, "{}: {} points", embedded.name, wires.len());
         for line in wires.lines.iter().filter(|line| !line.is_crease) {
-            let leaves = &scene.objects[line.object].solid.leaves;
+            let membership = Membership::of(&scene.objects[line.object].solid);
             for point in line.points.iter().step_by(5) {
-                // A step of 10⁻⁹ of the leaf's size across the surface changes the sign of F, or F is 0 to rounding.
-                let nearest = leaves.iter().map(|leaf| {
-                    let generic = leaf.placement.generic_point(*point);
-                    leaf.shape.implicit(generic).abs() / generic.length().max(1.0)
-                });
-                let nearest = nearest.fold(f64::INFINITY, f64::min);
-                assert!(nearest < 1e-6, "{}: F = {nearest} at {point}", embedded.name);
+                // |F| / |∇F| is how far the point lies off the surface: at most a millionth of the leaf's size.
+                let lies_on = |leaf: usize| {
+                    let slope = membership.gradient(leaf, *point).length() * membership.scale(leaf);
+                    membership.value(leaf, *point).abs() <= 1e-6 * slope.max(1.0)
+                };
+                let count = membership.solid.leaves.len();
+                assert!((0..count).any(lies_on), "{}: {point} lies on no surface", embedded.name);
             }
         }
     }
