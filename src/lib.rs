@@ -13,6 +13,7 @@ pub mod app;
 pub mod cli;
 pub mod cpu_time;
 pub mod csg;
+pub mod document;
 pub mod folder;
 pub mod laboratory;
 pub mod ledger;
