@@ -27,3 +27,4 @@ pub mod shape;
 pub mod texture;
 pub mod trace;
 pub mod view;
+pub mod words;

@@ -1,103 +1,15 @@
 //! The workbench as a person uses it, found through the names that a screen reader reads out. No window, no GPU.
 #![cfg(feature = "workbench")]
 
+mod hands;
+
 use egui::accesskit::Role;
-use egui::{Event, Key, PointerButton, Pos2, Vec2};
-use egui_kittest::Harness;
+use egui::{Key, Pos2, Vec2};
 use egui_kittest::kittest::{NodeT, Queryable};
-use rayscope::app::{Step, Workbench};
-use rayscope::folder::Outside;
+use hands::*;
+use rayscope::app::{Pane, Step};
 use rayscope::record::{Effect, RayKind, What};
 use rayscope::scene::embedded_scene;
-use std::time::{Duration, Instant};
-
-type Bench<'a> = Harness<'a, Option<Workbench>>;
-
-/// Long enough for the slowest machine; a test that waits this long has failed.
-const PATIENCE: Duration = Duration::from_mins(1);
-
-fn open_at<'a>(scene: &str, size: Vec2) -> Bench<'a> {
-    let text = embedded_scene(scene).expect("the scene is embedded").text;
-    let name = scene.to_owned();
-    let show = move |ui: &mut egui::Ui, workbench: &mut Option<Workbench>| {
-        workbench.get_or_insert_with(|| Workbench::new(ui.ctx(), &name, text, Outside::Refused)).ui(ui);
-    };
-    let mut bench = Harness::builder().with_size(size).build_ui_state(show, None);
-    settle(&mut bench);
-    bench
-}
-
-fn open<'a>(scene: &str) -> Bench<'a> {
-    open_at(scene, Vec2::new(1280.0, 800.0))
-}
-
-/// A few frames: for layout, focus and events to arrive.
-fn settle(bench: &mut Bench) {
-    for _ in 0..4 {
-        bench.step();
-    }
-}
-
-fn workbench<'b>(bench: &'b Bench) -> &'b Workbench {
-    bench.state().as_ref().expect("the workbench was shown")
-}
-
-fn wait_until(bench: &mut Bench, what: &str, done: impl Fn(&Bench) -> bool) {
-    let begin = Instant::now();
-    while !done(bench) {
-        assert!(begin.elapsed() < PATIENCE, "waited in vain for {what}");
-        std::thread::sleep(Duration::from_millis(5));
-        bench.step();
-    }
-}
-
-fn selected(bench: &Bench) -> u32 {
-    workbench(bench).recording().expect("a pixel is recorded").selected()
-}
-
-fn pixel(bench: &Bench) -> [u32; 2] {
-    workbench(bench).recording().expect("a pixel is recorded").pixel
-}
-
-fn press(bench: &mut Bench, key: Key) {
-    bench.key_press(key);
-    settle(bench);
-}
-
-fn click(bench: &mut Bench, at: Pos2) {
-    bench.event(Event::PointerMoved(at));
-    for pressed in [true, false] {
-        bench.event(Event::PointerButton {
-            pos: at,
-            button: PointerButton::Primary,
-            pressed,
-            modifiers: egui::Modifiers::default(),
-        });
-    }
-    settle(bench);
-}
-
-/// The middle of a pixel on screen.
-fn place_of(bench: &Bench, [x, y]: [u32; 2]) -> Pos2 {
-    let image = workbench(bench).scene().expect("a scene is open").scene.image;
-    let rect = bench.get_by_label("Rendered image").rect();
-    let share = Vec2::new((x as f32 + 0.5) / image.width as f32, (y as f32 + 0.5) / image.height as f32);
-    rect.min + share * rect.size()
-}
-
-fn rows(bench: &Bench) -> Vec<String> {
-    bench.query_all_by_role(Role::TreeItem).filter_map(|row| row.accesskit_node().label()).collect()
-}
-
-fn row_of(bench: &Bench, part: &str) -> String {
-    rows(bench).into_iter().find(|row| row.contains(part)).unwrap_or_else(|| panic!("no row says `{part}`"))
-}
-
-/// The first event of a kind.
-fn find(bench: &Bench, kind: impl Fn(&What) -> bool) -> u32 {
-    let recording = workbench(bench).recording().expect("a pixel is recorded");
-    recording.tree.events.iter().find(|event| kind(&event.what)).expect("such an event happened").id
-}
 
 #[test]
 fn it_opens_with_a_story_on_screen() {
@@ -420,7 +332,7 @@ fn an_effect_that_is_switched_off_leaves_the_picture_and_the_story() {
         )
     };
     assert_eq!(has_shadows(&bench), (true, true));
-    bench.get_by_role_and_label(Role::Button, "Effects").click();
+    reveal(&mut bench, Pane::Effects);
     settle(&mut bench);
     bench.get_by_role_and_label(Role::CheckBox, "shadows").click();
     settle(&mut bench);

@@ -4,44 +4,29 @@
 //! here computes anything about rays: it shows what [`trace`](crate::trace) recorded and what [`view`](crate::view)
 //! made of it.
 
-mod accuracy_chart;
-mod accuracy_image;
-mod accuracy_point;
-mod accuracy_ray;
-mod accuracy_window;
-mod background;
-mod canvas;
-mod detail_panel;
-mod effects_window;
-mod file_dialog;
-mod image_panel;
+mod accuracy;
+mod command;
+mod dock;
+mod drawings;
+mod effects;
+mod frame;
+mod kept;
 mod layout;
-mod ledger_job;
-mod outline;
-mod overlay;
-mod panel;
-mod placement;
-mod plots_panel;
-mod problem;
-mod reading;
-mod recording;
-mod renderer;
-mod scene_menu;
-mod side_panel;
-mod split;
-mod stepper;
-mod theme;
-mod thumbnail;
-mod toolbar;
-mod top_bar;
-mod tree_panel;
+mod pane;
+mod panes;
+mod picture;
+mod settings;
+mod story;
 mod window;
 mod workbench;
 
-pub use layout::Shares;
-pub use outline::Outline;
-pub use recording::{HitMark, Recording};
-pub use stepper::Step;
+pub use command::{Command, Commands, SceneCommand, StepCommand, ViewCommand};
+pub use dock::{Dock, Preset};
+pub use pane::Pane;
+pub use settings::Settings;
+pub use story::outline::Outline;
+pub use story::recording::{HitMark, Recording};
+pub use story::stepper::Step;
 pub use workbench::{Look, OpenScene, Problem, Workbench};
 
 use crate::folder::Outside;

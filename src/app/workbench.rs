@@ -1,16 +1,20 @@
 //! The state of the workbench: what is open, what is recorded, what is selected.
 
-use super::accuracy_window::{AccuracyWindow, Wish};
-use super::effects_window::EffectsWindow;
-use super::file_dialog::FileDialog;
-use super::image_panel::ImagePanel;
-use super::layout::Shares;
-use super::plots_panel::PlotsPanel;
-use super::recording::Recording;
-use super::renderer::Renderer;
-use super::scene_menu::SceneMenu;
-use super::side_panel::SidePanel;
-use super::theme;
+use crate::app::accuracy::pane::{AccuracyPane, Wish};
+use crate::app::command::Command;
+use crate::app::dock::Dock;
+use crate::app::drawings::plots::PlotsPanel;
+use crate::app::drawings::side::SidePanel;
+use crate::app::effects::pane::EffectsPane;
+use crate::app::frame::file_dialog::FileDialog;
+use crate::app::frame::scene_menu::SceneMenu;
+use crate::app::frame::theme;
+use crate::app::kept;
+use crate::app::pane::Pane;
+use crate::app::picture::panel::ImagePanel;
+use crate::app::picture::renderer::Renderer;
+use crate::app::settings::Settings;
+use crate::app::story::recording::Recording;
 use crate::folder::{Outside, files_of_scene};
 use crate::record::EventId;
 use crate::scene::{Effects, EmbeddedScene, Profile, Scene, embedded_scene, embedded_scenes, load_with};
@@ -58,18 +62,20 @@ impl OpenScene {
 
 /// The state of the workbench.
 pub struct Workbench {
-    pub(super) open: Option<OpenScene>,
-    pub(super) problem: Option<Problem>,
-    pub(super) recording: Option<Recording>,
-    pub(super) renderer: Renderer,
-    pub(super) menu: SceneMenu,
-    pub(super) dialog: FileDialog,
-    pub(super) image: ImagePanel,
-    pub(super) side: SidePanel,
-    pub(super) plots: PlotsPanel,
-    pub(super) effects: EffectsWindow,
-    pub(super) accuracy: AccuracyWindow,
-    pub(super) shares: Shares,
+    pub(in crate::app) open: Option<OpenScene>,
+    pub(in crate::app) problem: Option<Problem>,
+    pub(in crate::app) recording: Option<Recording>,
+    pub(in crate::app) renderer: Renderer,
+    pub(in crate::app) menu: SceneMenu,
+    pub(in crate::app) dialog: FileDialog,
+    pub(in crate::app) image: ImagePanel,
+    pub(in crate::app) side: SidePanel,
+    pub(in crate::app) plots: PlotsPanel,
+    pub(in crate::app) effects: EffectsPane,
+    pub(in crate::app) accuracy: AccuracyPane,
+    pub(in crate::app) dock: Dock,
+    pub(in crate::app) settings: Settings,
+    ctx: Context,
     outside: Outside,
 }
 
@@ -88,9 +94,11 @@ impl Workbench {
             image: ImagePanel::default(),
             side: SidePanel::default(),
             plots: PlotsPanel::default(),
-            effects: EffectsWindow::default(),
-            accuracy: AccuracyWindow::default(),
-            shares: Shares::default(),
+            effects: EffectsPane::default(),
+            accuracy: AccuracyPane::default(),
+            dock: Dock::default(),
+            settings: Settings::default(),
+            ctx: ctx.clone(),
             outside,
         };
         workbench.open_text(ctx, name, text);
@@ -152,7 +160,7 @@ impl Workbench {
     }
 
     /// Switches effects on and off: the picture is rendered and the pixel recorded anew.
-    pub(super) fn switch(&mut self, ctx: &Context, effects: Effects) {
+    pub(in crate::app) fn switch(&mut self, ctx: &Context, effects: Effects) {
         let Some(open) = &mut self.open else { return };
         open.scene = Arc::new(open.looked_at().with_effects(effects));
         self.renew(ctx);
@@ -176,7 +184,7 @@ impl Workbench {
     }
 
     /// Does what the accuracy window asks for.
-    pub(super) fn grant(&mut self, ctx: &Context, wish: Wish) {
+    pub(in crate::app) fn grant(&mut self, ctx: &Context, wish: Wish) {
         match wish {
             Wish::Look(name, profile) => self.look(ctx, Some(Look { name, profile })),
             Wish::AsItStands => self.look(ctx, None),
@@ -192,14 +200,21 @@ impl Workbench {
         }
     }
 
-    /// Shows or hides the window of the effects.
-    pub fn toggle_effects(&mut self) {
-        self.effects.is_open = !self.effects.is_open;
+    /// Brings a panel to the front.
+    pub fn reveal(&mut self, pane: Pane) {
+        self.dock.reveal(pane);
     }
 
-    /// Shows or hides the window of what accuracy costs.
-    pub fn toggle_accuracy(&mut self) {
-        self.accuracy.is_open = !self.accuracy.is_open;
+    /// Runs a command, as its menu or key does.
+    pub fn run(&mut self, command: Command) {
+        let ctx = self.ctx();
+        command.run(self, &ctx);
+    }
+
+    /// What the workbench is shown in.
+    #[must_use]
+    pub fn ctx(&self) -> Context {
+        self.ctx.clone()
     }
 
     /// The scene that is open.
@@ -226,15 +241,29 @@ impl Workbench {
         self.renderer.finished()
     }
 
-    /// How the window is divided.
+    /// Where the panels lie.
     #[must_use]
-    pub fn shares(&self) -> Shares {
-        self.shares
+    pub const fn dock(&self) -> &Dock {
+        &self.dock
     }
 
-    /// Divides the window.
-    pub fn set_shares(&mut self, shares: Shares) {
-        self.shares = shares;
+    /// What a person has set.
+    #[must_use]
+    pub const fn settings(&self) -> Settings {
+        self.settings
+    }
+
+    /// What is kept from one start to the next, as text.
+    #[must_use]
+    pub fn keep(&self) -> String {
+        kept::write(&self.dock, self.settings)
+    }
+
+    /// Takes up what was kept. A text that makes no sense is passed over.
+    pub fn take_up(&mut self, text: &str) {
+        if let Some((dock, settings)) = kept::read(text) {
+            (self.dock, self.settings) = (dock, settings);
+        }
     }
 
     /// Selects an event of the recorded pixel.
@@ -245,7 +274,7 @@ impl Workbench {
     }
 
     /// Opens what was dropped on the window or chosen in the dialogue.
-    pub(super) fn take_files(&mut self, ctx: &Context) {
+    pub(in crate::app) fn take_files(&mut self, ctx: &Context) {
         if let Some(path) = self.dialog.chosen() {
             self.open_scene(ctx, &path.display().to_string());
         }

@@ -5,6 +5,7 @@
 use super::fonts::{Face, text_width};
 use super::palette::Colour;
 use crate::record::EventId;
+use std::borrow::Cow;
 
 /// A place in a drawing.
 pub type Spot = [f64; 2];
@@ -222,6 +223,8 @@ pub struct Drawing {
     pub background: Colour,
     /// What is drawn, from the bottom up.
     pub marks: Vec<Mark>,
+    /// What there is to see, in sentences and with its numbers, for whoever does not see it.
+    pub description: String,
 }
 
 impl Drawing {
@@ -229,7 +232,7 @@ impl Drawing {
     #[must_use]
     pub fn new(size: [f64; 2], background: Colour) -> Self {
         let [width, height] = size.map(|x| if x.is_finite() { x.clamp(16.0, 16_384.0) } else { 16.0 });
-        Self { width, height, background, marks: Vec::new() }
+        Self { width, height, background, marks: Vec::new(), description: String::new() }
     }
 
     /// The whole of it.
@@ -241,6 +244,15 @@ impl Drawing {
     /// Adds a mark that stands for an event.
     pub fn put(&mut self, form: Form, event: impl Into<Option<EventId>>) {
         self.marks.push(Mark { form, event: event.into() });
+    }
+
+    /// The drawing in words: its description, or where it has none, the texts in it.
+    #[must_use]
+    pub fn in_words(&self) -> Cow<'_, str> {
+        if !self.description.is_empty() {
+            return Cow::Borrowed(&self.description);
+        }
+        Cow::Owned(self.texts().map(|text| text.text.as_str()).collect::<Vec<_>>().join(" · "))
     }
 
     /// All texts.

@@ -15,6 +15,9 @@ pub fn svg(drawing: &Drawing) -> String {
          stroke-linejoin=\"round\" fill=\"none\">\n<rect width=\"{width}\" height=\"{height}\"{}/>\n",
         paint("fill", drawing.background)
     );
+    if !drawing.description.is_empty() {
+        let _ = writeln!(out, "<desc>{}</desc>", escaped(&drawing.description));
+    }
     for mark in &drawing.marks {
         element(&mut out, &mark.form);
         out.push('\n');

@@ -1,0 +1,102 @@
+# Der Rahmen, in dem alles steht: Menüs, Anordnungen, Felder, Einstellungen.
+
+menu-all = Menü
+menu-scene = Datei
+menu-step = Schritt
+menu-view = Ansicht
+
+scene-menu = Szene: { $scene }  ⏷
+scene-menu-about = Eine der Szenen wählen, die mit rayscope kommen.
+scene-open = Öffnen…
+scene-open-about = Eine Szenendatei öffnen. Sie lässt sich auch auf dieses Fenster ziehen.
+no-scene = Es ist keine Szene geöffnet.
+try-pixels = Zum Beispiel:
+try-pixel-about = Diesen Bildpunkt aufzeichnen: Er zeigt, worum es in der Szene geht.
+pixel = Bildpunkt ({ $x }, { $y })
+
+preset-learn = Lernen
+preset-learn-about = Das Bild, die Geschichte des Strahls, ein Ereignis im Ganzen und was sich davon zeichnen lässt.
+preset-inspect = Untersuchen
+preset-inspect-about = Alles über einen Strahl auf einmal.
+preset-present = Vorführen
+preset-present-about = Weniges und groß, lesbar aus der letzten Reihe.
+preset-measure = Messen
+preset-measure-about = Suche, Karten, und was Genauigkeit und Effekte kosten.
+
+pane-picture = Bild
+pane-picture-about = Das berechnete Bild. Ein Klick auf einen Bildpunkt zeichnet auf, was sein Strahl tut.
+pane-side = Seitenansicht
+pane-side-about = Die Szene, entlang des Strahls aufgeschnitten.
+pane-overview = Übersicht
+pane-overview-about = Die Szene als Linien, von überall, mit allen Strahlen des Bildpunkts.
+pane-generic = Grundform
+pane-generic-about = Ein Körper in seinen eigenen Koordinaten, wie Lehrbücher ihn zeichnen, mit dem dorthin umgerechneten Strahl.
+pane-story = Die Geschichte des Strahls
+pane-story-about = Alles, was dem Strahl geschah, der Reihe nach.
+pane-detail = Gewähltes Ereignis
+pane-detail-about = Ein Ereignis im Ganzen: seine Formeln, seine Zahlen, wo sie berechnet wurden.
+pane-along = Entlang des Strahls
+pane-along-about = Was sich vom gewählten Ereignis zeichnen lässt.
+pane-intervals = Intervalllisten
+pane-intervals-about = Die linke, rechte und vereinte Intervallliste jedes Knotens eines CSG-Baums auf einmal.
+pane-signs = d(t)
+pane-signs-about = Das Vorzeichen von d(t) entlang des Strahls, mit einem t, das sich ziehen lässt.
+pane-snell = Snellius
+pane-snell-about = Winkel, Grenzwinkel und die Fresnel-Kurve an einer Grenzfläche.
+pane-shading = Beleuchtung
+pane-shading-about = Die fünf Anteile, aus denen eine Farbe besteht.
+pane-planes = Ebenentabelle
+pane-planes-about = Die Ebenentabelle eines Würfels oder Polyeders, Zeile für Zeile ausgefüllt.
+pane-search = Suche und Karten
+pane-search-about = Bildpunkte danach finden, was ihren Strahlen geschah; Karten dessen, was das Bild kostete.
+pane-compare = Vergleich
+pane-compare-about = Zwei Aufzeichnungen nebeneinander: wo sie sich trennen und was anders ist.
+pane-editor = Szenendatei
+pane-editor-about = Der Text der Szene. Bild und Geschichte folgen beim Tippen.
+pane-properties = Eigenschaften
+pane-properties-about = Die Maße des gewählten Objekts als Regler und Zahlen.
+pane-accuracy = Genauigkeit
+pane-accuracy-about = Was Genauigkeit an Zeit kostet, für dieses Bild und für diesen Strahl.
+pane-effects = Effekte
+pane-effects-about = Was die Szene verlangt und was jeder Effekt kostet.
+pane-hidden-rows = { $count ->
+    [one] { $count } Zeile ist verborgen
+   *[other] { $count } Zeilen sind verborgen
+}
+
+view-reset-layout = Diese Anordnung zurücksetzen
+view-reset-layout-about = Die Felder dieser Anordnung wieder dorthin legen, wo sie am Anfang waren.
+view-next-pane = Nächstes Feld
+view-next-pane-about = Zum nächsten Feld gehen.
+view-previous-pane = Voriges Feld
+view-previous-pane-about = Zum vorigen Feld gehen.
+view-alone = Dieses Feld allein
+view-alone-about = Dem Feld das ganze Fenster geben oder wieder nehmen.
+view-together = Zurück zu allen Feldern
+view-close = Dieses Feld schließen
+view-close-about = Das Feld schließen. Das Menü Ansicht holt es zurück.
+view-wider = Dieses Feld breiter
+view-wider-about = Den Feldern daneben Platz nehmen.
+view-narrower = Dieses Feld schmaler
+view-narrower-about = Den Feldern daneben Platz geben.
+view-higher = Dieses Feld höher
+view-higher-about = Den Feldern darüber und darunter Platz nehmen.
+view-lower = Dieses Feld niedriger
+view-lower-about = Den Feldern darüber und darunter Platz geben.
+view-zoom-in = Größer
+view-zoom-in-about = Alles größer zeigen, bis zum Dreifachen.
+view-zoom-out = Kleiner
+view-zoom-out-about = Alles kleiner zeigen, bis zur Hälfte.
+view-zoom-reset = So groß wie am Anfang
+view-zoom-reset-about = Größer und Kleiner rückgängig machen.
+theme-system = Farben: wie das System
+theme-system-about = Hell oder dunkel, wie das System es ist.
+theme-light = Farben: hell
+theme-light-about = Dunkel auf hell.
+theme-dark = Farben: dunkel
+theme-dark-about = Hell auf dunkel.
+language-menu = Sprache
+language-english = Language: English
+language-english-about = Show the interface in English.
+language-german = Sprache: Deutsch
+language-german-about = Die Oberfläche auf Deutsch zeigen.

@@ -1,0 +1,4 @@
+# Das Bild.
+
+picture-without = ohne { $effects }
+picture-rendering = wird berechnet, { $percent }

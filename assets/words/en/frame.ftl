@@ -1,0 +1,102 @@
+# The frame that all panels stand in: menus, layouts, panels, settings.
+
+menu-all = Menu
+menu-scene = File
+menu-step = Step
+menu-view = View
+
+scene-menu = Scene: { $scene }  ⏷
+scene-menu-about = Choose one of the scenes that come with rayscope.
+scene-open = Open…
+scene-open-about = Open a scene file. You can also drop one on this window.
+no-scene = No scene is open.
+try-pixels = Try:
+try-pixel-about = Record this pixel: it shows what the scene is about.
+pixel = pixel ({ $x }, { $y })
+
+preset-learn = Learn
+preset-learn-about = The picture, the ray’s story, one event in full, and what can be drawn of it.
+preset-inspect = Inspect
+preset-inspect-about = Everything about one ray at once.
+preset-present = Present
+preset-present-about = Few things and large, to be read from the back of a room.
+preset-measure = Measure
+preset-measure-about = Search, maps, and what accuracy and effects cost.
+
+pane-picture = Picture
+pane-picture-about = The rendered picture. Click a pixel to record what its ray does.
+pane-side = Side view
+pane-side-about = The scene cut open along the ray.
+pane-overview = Overview
+pane-overview-about = The scene as lines, from anywhere, with all rays of the pixel.
+pane-generic = Generic coordinates
+pane-generic-about = A primitive in its own space, as textbooks draw it, with the ray transformed into it.
+pane-story = The ray's story
+pane-story-about = Everything that happened to the ray, in order.
+pane-detail = Selected event
+pane-detail-about = One event in full: its formulas, its numbers, where they were computed.
+pane-along = Along the ray
+pane-along-about = Whatever can be drawn of the selected event.
+pane-intervals = Interval lists
+pane-intervals-about = The left, right and combined interval lists of every node of a CSG tree at once.
+pane-signs = d(t)
+pane-signs-about = The sign of d(t) along the ray, with a t that can be dragged.
+pane-snell = Snell
+pane-snell-about = Angles, critical angle and Fresnel’s curve at an interface.
+pane-shading = Shading
+pane-shading-about = The five terms that make up a colour.
+pane-planes = Plane table
+pane-planes-about = The plane table of a cube or polyhedron, filled in row by row.
+pane-search = Search and maps
+pane-search-about = Find pixels by what happened to their rays; maps of what the picture cost.
+pane-compare = Compare
+pane-compare-about = Two traces side by side: where they part, and what is different.
+pane-editor = Scene file
+pane-editor-about = The text of the scene. The picture and the story follow as you type.
+pane-properties = Properties
+pane-properties-about = The parameters of the selected object, as sliders and numbers.
+pane-accuracy = Accuracy
+pane-accuracy-about = What accuracy costs in time, of this image and of this ray.
+pane-effects = Effects
+pane-effects-about = What the scene calls for, and what each effect costs.
+pane-hidden-rows = { $count ->
+    [one] { $count } row is hidden
+   *[other] { $count } rows are hidden
+}
+
+view-reset-layout = Reset this layout
+view-reset-layout-about = Put the panels of this layout back to where they were at first.
+view-next-pane = Next panel
+view-next-pane-about = Go on to the next panel.
+view-previous-pane = Previous panel
+view-previous-pane-about = Go back to the panel before.
+view-alone = This panel alone
+view-alone-about = Give the panel the window to itself, or take it back.
+view-together = Back to all panels
+view-close = Close this panel
+view-close-about = Close the panel. The View menu brings it back.
+view-wider = Make this panel wider
+view-wider-about = Take room from the panels beside it.
+view-narrower = Make this panel narrower
+view-narrower-about = Give room to the panels beside it.
+view-higher = Make this panel higher
+view-higher-about = Take room from the panels above and below.
+view-lower = Make this panel lower
+view-lower-about = Give room to the panels above and below.
+view-zoom-in = Larger
+view-zoom-in-about = Make everything larger, up to three times.
+view-zoom-out = Smaller
+view-zoom-out-about = Make everything smaller, down to half.
+view-zoom-reset = As large as at first
+view-zoom-reset-about = Undo larger and smaller.
+theme-system = Theme: as the system
+theme-system-about = Light or dark as the system is.
+theme-light = Theme: light
+theme-light-about = Dark on light.
+theme-dark = Theme: dark
+theme-dark-about = Light on dark.
+language-menu = Language
+language-english = Language: English
+language-english-about = Show the interface in English.
+language-german = Sprache: Deutsch
+language-german-about = Die Oberfläche auf Deutsch zeigen.

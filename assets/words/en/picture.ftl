@@ -1,0 +1,4 @@
+# The picture.
+
+picture-without = without { $effects }
+picture-rendering = rendering, { $percent }

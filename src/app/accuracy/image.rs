@@ -1,0 +1,163 @@
+//! The accuracy of the whole image: error against seconds, filling in while it is measured, and maps of the chosen setting.
+
+use crate::app::accuracy::chart::{Chart, MapOf, View};
+use crate::app::accuracy::pane::Wish;
+use crate::app::accuracy::point::{Shown, chosen_point, list};
+use crate::app::frame::background::Background;
+use crate::app::workbench::OpenScene;
+use crate::cpu_time;
+use crate::laboratory::{MapKind, NoStore, Plan, Study, Tools, study};
+use crate::scene::Scene;
+use egui::{Align, Button, Layout, Rect, ScrollArea, Ui, UiBuilder, vec2};
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+/// About how long a study takes, in seconds: what a person will wait for while the plot fills in.
+const BUDGET: f64 = 20.0;
+/// The most columns of the pictures that are measured.
+const WIDTH: u32 = 160;
+/// Between two plots of a study that goes on. A new one for each round would keep a core busy with drawing.
+const BETWEEN: Duration = Duration::from_millis(400);
+/// Width of the column of settings, in points.
+const COLUMN: f32 = 330.0;
+
+/// What is remembered of the image between frames.
+#[derive(Default)]
+pub struct ImageScope {
+    job: Option<Background<Arc<Study>>>,
+    study: Option<Arc<Study>>,
+    is_complete: bool,
+    /// The name of the chosen setting; none for the scene as it stands.
+    chosen: Option<String>,
+    view: View,
+    chart: Chart,
+    shown: Option<Shown>,
+}
+
+impl ImageScope {
+    /// Stops what is running. What was measured stays.
+    pub fn pause(&mut self) {
+        self.job = None;
+        self.chart.pause();
+    }
+
+    /// How far the study is, in words.
+    pub fn state(&self) -> String {
+        let count = |study: &Study| study.all().count();
+        match (&self.job, &self.study) {
+            (Some(job), None) => {
+                format!("Rendering every setting and a reference to compare with: {:.0} s", job.seconds())
+            }
+            (Some(job), Some(study)) => {
+                format!("Measuring {} settings in turn: {:.0} of about {BUDGET:.0} s", count(study), job.seconds())
+            }
+            (None, Some(study)) if self.is_complete => format!(
+                "{} settings on one thread that waited {:.0} % of the time",
+                count(study),
+                100.0 * study.waiting
+            ),
+            (None, Some(study)) => format!("{} settings, measured for less than the whole time", count(study)),
+            (None, None) => "Nothing was measured.".to_owned(),
+        }
+    }
+
+    /// Shows plot or map, settings and the chosen one; returns what is asked for.
+    pub fn ui(&mut self, ui: &mut Ui, open: &OpenScene) -> Option<Wish> {
+        self.measure(ui, &open.whole);
+        ui.horizontal(|ui| {
+            ui.selectable_value(&mut self.view, View::Plot, "Error against seconds");
+            for (kind, name, tip) in MAPS {
+                ui.selectable_value(&mut self.view, View::Map(kind), name).on_hover_text(tip);
+            }
+            ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+                let again = ui.add_enabled(self.job.is_none(), Button::new("Measure again"));
+                if again.on_hover_text("For times that were lost in noise: when the machine has less to do.").clicked()
+                {
+                    *self = Self { chosen: self.chosen.take(), view: self.view, ..Self::default() };
+                }
+            });
+        });
+        let whole = ui.available_rect_before_wrap();
+        let (left, right) = whole.split_left_right_at_x(whole.right() - COLUMN);
+        let Some(study) = self.study.clone() else {
+            ui.allocate_rect(whole, egui::Sense::hover());
+            return None;
+        };
+        let points: Vec<_> = study.all().collect();
+        let place = points.iter().position(|point| Some(point.plain_name()) == self.chosen).unwrap_or(0);
+        let left = left.with_max_x(left.right() - 12.0);
+        let chosen = match self.view {
+            View::Plot => self.chart.plot(ui, left, &study, &open.name, place),
+            View::Map(kind) => {
+                let of = MapOf { kind, study: Arc::clone(&study), place };
+                self.chart.map(ui, left, &of, &open.whole);
+                None
+            }
+        };
+        let (above, below) = right.split_top_bottom_at_fraction(0.4);
+        let listed = column(ui, "settings", above, |ui| list(ui, &study, place));
+        let below = below.with_min_y(below.top() + 8.0);
+        let (paired, wish) = column(ui, "setting", below, |ui| chosen_point(ui, &mut self.shown, &study, place));
+        if let Some(place) = chosen.or(listed).or(paired) {
+            self.chosen = points.get(place).map(|point| point.plain_name());
+            ui.ctx().request_repaint();
+        }
+        wish
+    }
+
+    /// Measures the scene once, and takes what there is of it.
+    fn measure(&mut self, ui: &Ui, whole: &Arc<Scene>) {
+        if self.study.is_none() && self.job.is_none() {
+            let scene = Arc::clone(whole);
+            self.job = Background::start(ui.ctx(), "accuracy", move |progress, publish| {
+                run(&scene, progress, publish);
+            });
+        }
+        let Some(job) = &self.job else { return };
+        let finished = job.is_finished();
+        if let Some(study) = job.take() {
+            self.study = Some(study);
+        }
+        if finished {
+            (self.job, self.is_complete) = (None, true);
+        } else {
+            // The seconds are counted.
+            ui.ctx().request_repaint_after(Duration::from_millis(250));
+        }
+    }
+}
+
+/// The maps with what they show.
+const MAPS: [(MapKind, &str, &str); 4] = [
+    (MapKind::Error, "Error", "How far each pixel is from the reference, with the chosen setting."),
+    (MapKind::Digits, "Digits lost", "What the chosen setting's arithmetic loses of each pixel's hit time."),
+    (MapKind::Tier, "Certainty", "What it took to be sure of each pixel's hits, with the chosen setting."),
+    (MapKind::Time, "ns per pixel", "What each pixel takes, with the chosen setting."),
+];
+
+/// Runs a study; publishes what is known now and then, and the end.
+fn run(scene: &Scene, progress: &crate::trace::Progress, publish: &mut dyn FnMut(Arc<Study>)) {
+    let plan = Plan { width: WIDTH, budget: BUDGET, ..Plan::default() };
+    let mut last: Option<Instant> = None;
+    let mut watch = |known: &dyn Fn() -> Study| {
+        if last.is_none_or(|last| last.elapsed() >= BETWEEN) {
+            publish(Arc::new(known()));
+            last = Some(Instant::now());
+        }
+    };
+    let (mut stopwatch, mut store) = (cpu_time::taken, NoStore);
+    let tools = Tools { stopwatch: &mut stopwatch, store: &mut store, progress, watch: &mut watch };
+    let run = study(scene, &plan, None, tools);
+    if let Some(run) = run {
+        publish(Arc::new(run.study));
+    }
+}
+
+/// Contents in a rectangle that scroll where they need to.
+fn column<T>(ui: &mut Ui, salt: &str, rect: Rect, contents: impl FnOnce(&mut Ui) -> T) -> T {
+    ui.scope_builder(UiBuilder::new().id_salt(salt.to_owned()).max_rect(rect), |ui| {
+        ui.spacing_mut().item_spacing = vec2(8.0, 4.0);
+        ScrollArea::vertical().id_salt(salt.to_owned()).auto_shrink(false).show(ui, contents).inner
+    })
+    .inner
+}

@@ -1,0 +1,148 @@
+//! How docked panels look: a card with a header of tabs, the tools of the panel that is seen at the right end of it.
+
+use super::focus_of;
+use crate::app::frame::theme::{PADDING, Palette, bold};
+use crate::app::frame::words::say;
+use crate::app::pane::Pane;
+use crate::app::workbench::Workbench;
+use egui::{
+    Align, Color32, FontId, Layout, Rect, RichText, Role, Sense, Stroke, StrokeKind, Ui, UiBuilder, Visuals,
+    WidgetInfo, WidgetText, vec2,
+};
+use egui_tiles::{Behavior, SimplificationOptions, TabState, Tabs, TileId, Tiles, UiResponse};
+
+/// Height of a header, in points.
+const HEADER: f32 = 30.0;
+/// The gap between two panels, in points; the handle that resizes them lies in it.
+const GAP: f32 = 6.0;
+/// No panel becomes narrower or lower than this, in points.
+const SMALLEST: f32 = 96.0;
+
+/// Shows the panels of a workbench.
+pub fn show(ui: &mut Ui, workbench: &mut Workbench) {
+    let (mut tree, alone) = workbench.dock.begin();
+    let mut docking = Docking { workbench, used: None };
+    match alone {
+        Some(pane) => docking.alone(ui, pane),
+        None => tree.ui(&mut docking, ui),
+    }
+    let used = docking.used;
+    workbench.dock.end(tree, used);
+}
+
+struct Docking<'a> {
+    workbench: &'a mut Workbench,
+    /// The panel that the pointer or the keys used in this frame.
+    used: Option<Pane>,
+}
+
+impl Docking<'_> {
+    /// Shows a panel that has the window to itself.
+    fn alone(&mut self, ui: &mut Ui, pane: Pane) {
+        let palette = Palette::current(ui.ctx());
+        let (header, body) = {
+            let whole = ui.available_rect_before_wrap();
+            whole.split_top_bottom_at_y(whole.top() + HEADER)
+        };
+        ui.painter().rect_filled(header, 0.0, palette.header);
+        let builder = UiBuilder::new().max_rect(header.shrink2(vec2(f32::from(PADDING), 2.0)));
+        ui.scope_builder(builder.layout(Layout::left_to_right(Align::Center)), |ui| {
+            ui.label(RichText::new(say(ui.ctx(), pane.word())).family(bold()));
+            ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+                self.workbench.alone_tools(ui, pane);
+                self.workbench.pane_tools(ui, pane);
+            });
+        });
+        ui.scope_builder(UiBuilder::new().max_rect(body), |ui| self.body(ui, pane));
+    }
+
+    fn body(&mut self, ui: &mut Ui, pane: Pane) {
+        let palette = Palette::current(ui.ctx());
+        let rect = ui.max_rect();
+        ui.painter().rect_filled(rect, 0.0, palette.panel);
+        let whole = ui.interact(rect, focus_of(pane), Sense::focusable_noninteractive());
+        whole.widget_info(|| WidgetInfo::labeled(Role::Pane, true, say(ui.ctx(), pane.word())));
+        let mut child = ui.new_child(UiBuilder::new().id_salt(pane.word()).max_rect(rect.shrink(1.0)));
+        child.shrink_clip_rect(rect);
+        self.workbench.pane(&mut child, pane);
+        if whole.has_focus() {
+            ui.painter().rect_stroke(rect, 0.0, Stroke::new(1.5, palette.accent), StrokeKind::Inside);
+        }
+        if whole.has_focus() || pressed_within(ui, rect) {
+            self.used = Some(pane);
+        }
+    }
+}
+
+fn pressed_within(ui: &Ui, rect: Rect) -> bool {
+    ui.input(|input| input.pointer.any_pressed() && input.pointer.interact_pos().is_some_and(|at| rect.contains(at)))
+}
+
+impl Behavior<Pane> for Docking<'_> {
+    fn pane_ui(&mut self, ui: &mut Ui, _tile: TileId, pane: &mut Pane) -> UiResponse {
+        self.body(ui, *pane);
+        UiResponse::None
+    }
+
+    fn tab_title_for_pane(&mut self, pane: &Pane) -> WidgetText {
+        let title = say(&self.workbench.ctx(), pane.word());
+        RichText::new(title).font(FontId::new(13.5, bold())).into()
+    }
+
+    fn is_tab_closable(&self, tiles: &Tiles<Pane>, tile: TileId) -> bool {
+        // A panel that stands alone has a title rather than a tab; menus and keys close it.
+        tiles.parent_of(tile).and_then(|parent| tiles.get_container(parent)).is_some_and(|tabs| tabs.num_children() > 1)
+    }
+
+    fn top_bar_right_ui(&mut self, tiles: &Tiles<Pane>, ui: &mut Ui, _tile: TileId, tabs: &Tabs, _scroll: &mut f32) {
+        if let Some(pane) = tabs.active.and_then(|active| tiles.get_pane(&active)) {
+            ui.add_space(6.0);
+            self.workbench.pane_tools(ui, *pane);
+        }
+    }
+
+    fn tab_bar_height(&self, _style: &egui::Style) -> f32 {
+        HEADER
+    }
+
+    fn gap_width(&self, _style: &egui::Style) -> f32 {
+        GAP
+    }
+
+    fn min_size(&self) -> f32 {
+        SMALLEST
+    }
+
+    fn simplification_options(&self) -> SimplificationOptions {
+        SimplificationOptions { all_panes_must_have_tabs: true, ..SimplificationOptions::default() }
+    }
+
+    fn tab_bar_color(&self, _visuals: &Visuals) -> Color32 {
+        self.palette().header
+    }
+
+    fn tab_bg_color(&self, _visuals: &Visuals, _tiles: &Tiles<Pane>, _tile: TileId, state: &TabState) -> Color32 {
+        if state.active { self.palette().panel } else { Color32::TRANSPARENT }
+    }
+
+    fn tab_outline_stroke(&self, _visuals: &Visuals, _tiles: &Tiles<Pane>, _tile: TileId, _state: &TabState) -> Stroke {
+        Stroke::NONE
+    }
+
+    fn tab_text_color(&self, _visuals: &Visuals, _tiles: &Tiles<Pane>, _tile: TileId, state: &TabState) -> Color32 {
+        if state.active { self.palette().text } else { self.palette().weak }
+    }
+
+    fn resize_stroke(&self, _style: &egui::Style, state: egui_tiles::ResizeState) -> Stroke {
+        match state {
+            egui_tiles::ResizeState::Idle => Stroke::NONE,
+            _ => Stroke::new(2.0, self.palette().accent),
+        }
+    }
+}
+
+impl Docking<'_> {
+    fn palette(&self) -> Palette {
+        Palette::current(&self.workbench.ctx())
+    }
+}

@@ -1,0 +1,158 @@
+//! Interval bars, the sign plot of d(t), and the drawing of what else happened: what a surface carries, a lens, wavelengths, a medium;
+//! all for the selected event.
+
+use crate::app::drawings::canvas::Canvas;
+use crate::app::frame::empty::empty;
+use crate::app::frame::theme::drawing_theme;
+use crate::app::story::recording::Recording;
+use crate::record::EventId;
+use crate::scene::Scene;
+use crate::trace::RayTree;
+use crate::view::{Drawing, Theme, event_plot, interval_bars, sign_plot};
+use egui::{Color32, Pos2, Rect, Role, Sense, Ui, Vec2, WidgetInfo, pos2};
+use std::sync::Arc;
+
+/// How far from a mark a click still counts, in points. Less makes thin lines hard to hit.
+const REACH: f64 = 5.0;
+
+/// The plots' heights as parts of each other: three lists with labels need more than one curve, and a drawing
+/// with its caption and its legend needs most.
+const HEIGHTS: [f32; 3] = [1.27, 1.0, 1.8];
+
+/// What there is to plot of an event.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Plot {
+    Bars,
+    Signs,
+    Event,
+}
+
+impl Plot {
+    const fn name(self) -> &'static str {
+        match self {
+            Self::Bars => "Interval bars",
+            Self::Signs => "Sign plot of d(t)",
+            Self::Event => "What happened",
+        }
+    }
+
+    fn draw(self, key: &Key) -> Option<Drawing> {
+        let size = key.size.map(f64::from);
+        match self {
+            Self::Bars => interval_bars(&key.tree, key.selected, size, key.theme),
+            Self::Signs => sign_plot(&key.tree, key.selected, size, key.theme),
+            Self::Event => event_plot(Some(&key.scene), &key.tree, key.selected, size, key.theme),
+        }
+    }
+}
+
+/// Everything that a plot depends on.
+#[derive(Clone)]
+struct Key {
+    scene: Arc<Scene>,
+    tree: Arc<RayTree>,
+    selected: EventId,
+    size: [u32; 2],
+    theme: Theme,
+    pixels_per_point: f32,
+}
+
+impl PartialEq for Key {
+    fn eq(&self, other: &Self) -> bool {
+        let rest = |key: &Self| (key.selected, key.size, key.theme, key.pixels_per_point);
+        Arc::ptr_eq(&self.tree, &other.tree) && rest(self) == rest(other)
+    }
+}
+
+/// The plots, one above the other.
+#[derive(Default)]
+pub struct PlotsPanel {
+    bars: Canvas<Key>,
+    signs: Canvas<Key>,
+    event: Canvas<Key>,
+    /// Which of the three there is, as far as is known.
+    present: [bool; 3],
+}
+
+impl PlotsPanel {
+    /// Shows what there is to plot of the selected event; returns the event whose mark was clicked.
+    pub fn ui(&mut self, ui: &mut Ui, recording: Option<&Recording>) -> Option<EventId> {
+        let nothing = "Select a CSG node to see its intervals, a primitive to see d(t) along the ray, a texture to see how \
+                       its colour came about, or a lens, a wavelength or a medium to see what it does to the ray.";
+        let Some(recording) = recording else {
+            empty(ui, nothing);
+            return None;
+        };
+        let whole = ui.available_rect_before_wrap();
+        let [upper, middle, lower] = rows(whole, self.present);
+        let plotted = recording.plotted();
+        let look = |canvas: &mut Canvas<Key>, plot, event, rect| show(ui, canvas, plot, recording, event, rect);
+        let bars = look(&mut self.bars, Plot::Bars, plotted.intervals, upper);
+        let signs = look(&mut self.signs, Plot::Signs, plotted.signs, middle);
+        let event = look(&mut self.event, Plot::Event, recording.selected(), lower);
+        let present = [bars.present, signs.present, event.present];
+        if present != self.present {
+            self.present = present;
+            ui.ctx().request_repaint();
+        }
+        if present == [false; 3] {
+            empty(ui, nothing);
+        }
+        bars.clicked.or(signs.clicked).or(event.clicked)
+    }
+}
+
+/// Where the plots go, one below the other: what is present shares the height, and what is not takes none of it. Until
+/// something is known to be present, all have room.
+fn rows(whole: Rect, present: [bool; 3]) -> [Rect; 3] {
+    let all = present == [false; 3];
+    let parts: [f32; 3] = std::array::from_fn(|i| if all || present[i] { HEIGHTS[i] } else { 0.0 });
+    let height = whole.height() / parts.iter().sum::<f32>();
+    let mut top = whole.top();
+    std::array::from_fn(|i| {
+        // What is not present now is drawn as large as it may become, not in a row of no height.
+        if parts[i] == 0.0 {
+            return whole;
+        }
+        let bottom = (top + parts[i] * height).round();
+        let row = Rect::from_min_max(pos2(whole.left(), top), pos2(whole.right(), bottom.min(whole.bottom())));
+        top = bottom;
+        row
+    })
+}
+
+/// What became of a plot.
+struct Shown {
+    /// Whether there is one, or was one when it was last drawn.
+    present: bool,
+    clicked: Option<EventId>,
+}
+
+fn show(ui: &Ui, canvas: &mut Canvas<Key>, plot: Plot, recording: &Recording, selected: EventId, rect: Rect) -> Shown {
+    let inside = rect.shrink(4.0);
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a panel is a few thousand points")]
+    let size = [inside.width().max(1.0) as u32, inside.height().max(1.0) as u32];
+    let key = Key {
+        scene: Arc::clone(&recording.scene),
+        tree: Arc::clone(&recording.tree),
+        selected,
+        size,
+        theme: drawing_theme(ui.ctx()),
+        pixels_per_point: ui.pixels_per_point(),
+    };
+    let wanted = key.clone();
+    let mut outcome = Shown { present: false, clicked: None };
+    let Some(shown) = canvas.update(ui.ctx(), &key, move || plot.draw(&wanted)) else { return outcome };
+    let (Some(texture), Some(drawing)) = (&shown.texture, &shown.drawing) else { return outcome };
+    outcome.present = true;
+    let response = ui.interact(rect, ui.scope_id().with(plot.name()), Sense::click());
+    response.widget_info(|| WidgetInfo::labeled(Role::Image, true, plot.name()));
+    let place = Rect::from_min_size(inside.min, Vec2::from(shown.key.size.map(|points| points as f32)));
+    let unit_square = Rect::from_min_max(Pos2::ZERO, pos2(1.0, 1.0));
+    ui.painter_at(rect).image(texture.id(), place, unit_square, Color32::WHITE);
+    if let (true, Some(at)) = (response.clicked() && shown.key == key, response.interact_pointer_pos()) {
+        let local = at - place.min;
+        outcome.clicked = drawing.event_at([f64::from(local.x), f64::from(local.y)], REACH);
+    }
+    outcome
+}

@@ -1,0 +1,57 @@
+//! Menus made from the list of commands.
+
+use crate::app::command::Command;
+use crate::app::frame::words::{say, say_with};
+use crate::app::workbench::Workbench;
+use egui::{Button, ScrollArea, Ui};
+
+/// Width of a menu, in points.
+const WIDTH: f32 = 250.0;
+/// Height above which a menu scrolls, in points.
+const HEIGHT: f32 = 560.0;
+
+/// One menu for each area, beside each other; returns what was chosen.
+pub fn bar(ui: &mut Ui, workbench: &Workbench) -> Option<Command> {
+    let mut chosen = None;
+    for (title, commands) in Command::areas() {
+        ui.menu_button(say(ui.ctx(), title), |ui| chosen = chosen.or(list(ui, workbench, &commands)));
+    }
+    chosen
+}
+
+/// All menus within one, where there is little room; returns what was chosen.
+pub fn compact(ui: &mut Ui, workbench: &Workbench) -> Option<Command> {
+    let mut chosen = None;
+    ui.menu_button(say(ui.ctx(), "menu-all"), |ui| chosen = bar(ui, workbench));
+    chosen
+}
+
+fn list(ui: &mut Ui, workbench: &Workbench, commands: &[Command]) -> Option<Command> {
+    let mut chosen = None;
+    ui.set_min_width(WIDTH);
+    ui.spacing_mut().item_spacing.y = 1.0;
+    ScrollArea::vertical().max_height(HEIGHT).show(ui, |ui| {
+        for &command in commands {
+            if line(ui, workbench, command) {
+                chosen = Some(command);
+                ui.close();
+            }
+        }
+    });
+    chosen
+}
+
+/// Shows a command with its key; returns whether it was chosen.
+fn line(ui: &mut Ui, workbench: &Workbench, command: Command) -> bool {
+    let name = say(ui.ctx(), command.word());
+    let is_on = command.is_on(workbench) == Some(true);
+    let key = command.key().map_or_else(String::new, |key| ui.ctx().format_shortcut(&key));
+    // A tick as well as a colour: the colour alone would not be seen by everyone.
+    let title = if is_on { format!("✔ {name}") } else { name };
+    let button = Button::new(title).selected(is_on).frame_when_inactive(false).shortcut_text(key);
+    let about = say_with(ui.ctx(), &format!("{}-about", command.word()), &[]);
+    let width = ui.available_width().max(WIDTH);
+    let button = button.min_size(egui::vec2(width, 0.0));
+    let response = ui.add_enabled(command.is_possible(workbench), button);
+    response.on_hover_text(&about).clicked()
+}

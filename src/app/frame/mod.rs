@@ -1,0 +1,11 @@
+//! What all panels stand in: the top bar, cards with headers, colours and fonts, messages, background work.
+
+pub mod background;
+pub mod empty;
+pub mod file_dialog;
+pub mod menu;
+pub mod problem;
+pub mod scene_menu;
+pub mod theme;
+pub mod top_bar;
+pub mod words;

@@ -1,0 +1,153 @@
+//! What each panel shows, and what a click in one does to the others.
+
+use super::frame::empty::empty;
+use super::frame::words::{say, say_with};
+use super::pane::Pane;
+use super::picture::panel::ImageView;
+use super::picture::renderer::Renderer;
+use super::story::{detail, panel as story_panel, toolbar};
+use super::workbench::{OpenScene, Workbench};
+use crate::record::Effect;
+use crate::scene::Scene;
+use egui::{Context, RichText, Ui, UiBuilder};
+use std::sync::Arc;
+
+impl Workbench {
+    /// Shows what is in a panel.
+    pub(in crate::app) fn pane(&mut self, ui: &mut Ui, pane: Pane) {
+        match pane {
+            Pane::Picture => self.picture_pane(ui),
+            Pane::Side => self.side_pane(ui),
+            Pane::Story => self.story_pane(ui),
+            Pane::Detail => detail::ui(ui, self.recording.as_ref()),
+            Pane::Along => {
+                if let Some(event) = self.plots.ui(ui, self.recording.as_ref()) {
+                    self.select(event);
+                }
+            }
+            Pane::Accuracy => self.accuracy_pane(ui),
+            Pane::Effects => self.effects_pane(ui),
+            Pane::Overview
+            | Pane::Generic
+            | Pane::Intervals
+            | Pane::Signs
+            | Pane::Snell
+            | Pane::Shading
+            | Pane::Planes
+            | Pane::Search
+            | Pane::Compare
+            | Pane::Editor
+            | Pane::Properties => empty(ui, &say(ui.ctx(), &format!("{}-about", pane.word()))),
+        }
+    }
+
+    /// The tools at the right end of a panel's header, from right to left.
+    pub(in crate::app) fn pane_tools(&mut self, ui: &mut Ui, pane: Pane) {
+        let state = match pane {
+            Pane::Picture => self.open.as_ref().map(|open| self.picture_state(ui.ctx(), open)),
+            Pane::Side => {
+                self.side.tools(ui);
+                None
+            }
+            Pane::Story => Some(toolbar::position(self.recording.as_ref())),
+            _ => None,
+        };
+        if let Some(state) = state {
+            ui.label(RichText::new(state).small().weak());
+        }
+    }
+
+    /// The button that ends a panel's having the window to itself.
+    pub(in crate::app) fn alone_tools(&mut self, ui: &mut Ui, pane: Pane) {
+        if ui.button(say(ui.ctx(), "view-together")).clicked() {
+            self.dock.toggle_alone(pane);
+        }
+    }
+
+    /// Lets what nobody sees stop working.
+    pub(in crate::app) fn pause_what_is_not_seen(&mut self) {
+        if !self.dock.shows(Pane::Accuracy) {
+            self.accuracy.pause();
+        }
+        if !self.dock.shows(Pane::Effects) {
+            self.effects.pause();
+        }
+    }
+
+    fn picture_pane(&mut self, ui: &mut Ui) {
+        let Some(open) = &self.open else { return empty(ui, &say(ui.ctx(), "no-scene")) };
+        let texture = self.renderer.texture(ui.ctx()).cloned();
+        let view = ImageView { scene: &open.scene, texture, recording: self.recording.as_ref() };
+        if let Some(pixel) = self.image.ui(ui, &view) {
+            self.record(pixel);
+        }
+    }
+
+    fn side_pane(&mut self, ui: &mut Ui) {
+        let Some(open) = &self.open else { return empty(ui, &say(ui.ctx(), "no-scene")) };
+        if let Some(event) = self.side.ui(ui, &open.scene, self.recording.as_ref()) {
+            self.select(event);
+        }
+    }
+
+    fn story_pane(&mut self, ui: &mut Ui) {
+        let (bar, rows) = toolbar::cut(ui.available_rect_before_wrap());
+        let builder = UiBuilder::new().id_salt("stepper").max_rect(bar.shrink2(egui::vec2(8.0, 4.0)));
+        ui.scope_builder(builder, |ui| toolbar::ui(ui, self.recording.as_mut()));
+        let edge = egui::Stroke::new(1.0, super::frame::theme::Palette::current(ui.ctx()).edge);
+        ui.painter().hline(bar.x_range(), bar.bottom(), edge);
+        let builder = UiBuilder::new().id_salt("rows").max_rect(rows.with_min_y(rows.top() + 1.0));
+        ui.scope_builder(builder, |ui| story_panel::ui(ui, self.recording.as_mut()));
+    }
+
+    fn accuracy_pane(&mut self, ui: &mut Ui) {
+        let Some(open) = &self.open else { return empty(ui, &say(ui.ctx(), "no-scene")) };
+        let wish = padded(ui, |ui| self.accuracy.ui(ui, open, self.recording.as_ref()));
+        if let Some(wish) = wish {
+            self.grant(ui.ctx(), wish);
+        }
+    }
+
+    fn effects_pane(&mut self, ui: &mut Ui) {
+        let Some(open) = &self.open else { return empty(ui, &say(ui.ctx(), "no-scene")) };
+        let chosen = padded(ui, |ui| self.effects.ui(ui, open));
+        if let Some(effects) = chosen {
+            self.switch(ui.ctx(), effects);
+        }
+    }
+
+    /// How large the picture is, how far, and what is left out of it, in words.
+    fn picture_state(&self, ctx: &Context, open: &OpenScene) -> String {
+        progress(ctx, &self.renderer, &open.scene) + &left_out(ctx, open)
+    }
+}
+
+fn padded<T>(ui: &mut Ui, contents: impl FnOnce(&mut Ui) -> T) -> T {
+    let rect = ui.available_rect_before_wrap().shrink2(egui::vec2(10.0, 6.0));
+    ui.scope_builder(UiBuilder::new().max_rect(rect), contents).inner
+}
+
+/// How the scene is looked at, and the effects that are switched off, in words.
+fn left_out(ctx: &Context, open: &OpenScene) -> String {
+    // What the scene calls for is worked out anew only where something may differ from it.
+    let called = if open.look.is_none() { open.whole.effects } else { open.looked_at().effects };
+    let off = |effect: &Effect| called.has(*effect) && !open.scene.effects.has(*effect);
+    let names: Vec<&str> = Effect::ALL.into_iter().filter(off).map(Effect::name).collect();
+    let without = if names.is_empty() {
+        String::new()
+    } else {
+        format!(" · {}", say_with(ctx, "picture-without", &[("effects", (&names.join(", ")).into())]))
+    };
+    open.look.as_ref().map_or_else(String::new, |look| format!(" · {}", look.name)) + &without
+}
+
+/// How far the picture is, in words.
+fn progress(ctx: &Context, renderer: &Renderer, scene: &Arc<Scene>) -> String {
+    let size = format!("{} × {}", scene.image.width, scene.image.height);
+    if renderer.finished() {
+        return size;
+    }
+    ctx.request_repaint_after(std::time::Duration::from_millis(100));
+    let percent = format!("{:.0} %", 100.0 * renderer.share_done());
+    format!("{size} · {}", say_with(ctx, "picture-rendering", &[("percent", (&percent).into())]))
+}

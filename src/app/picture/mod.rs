@@ -1,0 +1,8 @@
+//! The rendered picture: rendering it in the background, reading a pixel, choosing one.
+
+pub mod overlay;
+pub mod panel;
+pub mod placement;
+pub mod reading;
+pub mod renderer;
+pub mod thumbnail;

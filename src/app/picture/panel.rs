@@ -1,0 +1,131 @@
+//! The picture: hover to read a pixel, click to record it, arrow keys to go to its neighbours.
+
+use crate::app::frame::theme::Palette;
+use crate::app::picture::overlay::{draw_crosshair, draw_hits};
+use crate::app::picture::placement::Placement;
+use crate::app::picture::reading::Reading;
+use crate::app::story::recording::Recording;
+use crate::scene::Scene;
+use egui::{
+    Color32, EventFilter, Key, Pos2, Rect, Response, Role, Sense, Stroke, StrokeKind, TextureHandle, Ui, Vec2,
+    WidgetInfo, pos2, vec2,
+};
+
+/// Height of the line below the picture that reads the pixel under the pointer.
+const READOUT: f32 = 26.0;
+
+/// What the picture's panel remembers between frames.
+#[derive(Debug, Default)]
+pub struct ImagePanel {
+    reading: Option<Reading>,
+}
+
+/// What the panel shows.
+pub struct ImageView<'a> {
+    /// The scene.
+    pub scene: &'a Scene,
+    /// The picture as far as it goes.
+    pub texture: Option<TextureHandle>,
+    /// The recorded pixel.
+    pub recording: Option<&'a Recording>,
+}
+
+impl ImagePanel {
+    /// Forgets what was read: the scene has changed.
+    pub fn reset(&mut self) {
+        self.reading = None;
+    }
+
+    /// Shows the picture; returns the pixel that was chosen, if one was.
+    pub fn ui(&mut self, ui: &mut Ui, view: &ImageView) -> Option<[u32; 2]> {
+        let palette = Palette::current(ui.ctx());
+        let (above, line) = {
+            let all = ui.available_rect_before_wrap();
+            all.split_top_bottom_at_y(all.bottom() - READOUT)
+        };
+        ui.painter().rect_filled(above, 0.0, palette.backdrop);
+        let place = Placement::fit(view.scene, above.shrink(8.0), ui.pixels_per_point());
+        let response = ui.interact(place.rect, ui.scope_id().with("picture"), Sense::click());
+        response.widget_info(|| WidgetInfo::labeled(Role::Image, true, "Rendered image"));
+        let response = response.on_hover_cursor(egui::CursorIcon::Crosshair);
+
+        let painter = ui.painter_at(above);
+        match &view.texture {
+            Some(texture) => {
+                painter.image(texture.id(), place.rect, unit_square(), Color32::WHITE);
+            }
+            None => {
+                painter.rect_filled(place.rect, 0.0, palette.panel);
+            }
+        }
+        painter.rect_stroke(place.rect, 0.0, Stroke::new(1.0, palette.edge), StrokeKind::Outside);
+        if let Some(recording) = view.recording {
+            draw_hits(&painter, view.scene, &place, recording);
+            draw_crosshair(&painter, place.pixel_rect(recording.pixel), place.rect);
+        }
+        if response.has_focus() {
+            painter.rect_stroke(place.rect, 0.0, Stroke::new(2.0, palette.accent), StrokeKind::Outside);
+        }
+
+        let hovered = response.hover_pos().and_then(|position| place.pixel_at(position));
+        self.read(view.scene, hovered);
+        self.readout(ui, line, view);
+        chosen(ui, &response, &place, view.recording.map(|recording| recording.pixel))
+    }
+
+    fn read(&mut self, scene: &Scene, hovered: Option<[u32; 2]>) {
+        if self.reading.as_ref().map(|reading| reading.pixel) != hovered {
+            self.reading = hovered.map(|pixel| Reading::of(scene, pixel));
+        }
+    }
+
+    /// The line below the picture.
+    fn readout(&self, ui: &mut Ui, line: Rect, view: &ImageView) {
+        let palette = Palette::current(ui.ctx());
+        let focused = view.recording.map(|recording| recording.pixel);
+        let (text, swatch) = match (&self.reading, focused) {
+            (Some(reading), _) => (reading.text(), Some(reading.srgb())),
+            (None, Some([x, y])) => (format!("Pixel ({x}, {y}). Click another, or use the arrow keys."), None),
+            (None, None) => ("Click a pixel to record what its ray does.".to_owned(), None),
+        };
+        let mut x = line.left() + 10.0;
+        if let Some([r, g, b]) = swatch {
+            let square = Rect::from_center_size(pos2(x + 6.0, line.center().y), Vec2::splat(12.0));
+            ui.painter().rect_filled(square, 2.0, Color32::from_rgb(r, g, b));
+            ui.painter().rect_stroke(square, 2.0, Stroke::new(1.0, palette.edge), StrokeKind::Outside);
+            x += 20.0;
+        }
+        let place = Rect::from_min_max(pos2(x, line.top()), line.max - vec2(8.0, 0.0));
+        let label = egui::Label::new(egui::RichText::new(text).small().color(palette.weak)).truncate();
+        let builder = egui::UiBuilder::new().max_rect(place).layout(egui::Layout::left_to_right(egui::Align::Center));
+        ui.scope_builder(builder, |ui| ui.add(label));
+    }
+}
+
+fn unit_square() -> Rect {
+    Rect::from_min_max(Pos2::ZERO, pos2(1.0, 1.0))
+}
+
+/// The pixel that a click or an arrow key chose.
+fn chosen(ui: &Ui, response: &Response, place: &Placement, recorded: Option<[u32; 2]>) -> Option<[u32; 2]> {
+    if response.clicked() {
+        response.request_focus();
+        return response.interact_pointer_pos().and_then(|position| place.pixel_at(position));
+    }
+    if !response.has_focus() {
+        return None;
+    }
+    let filter = EventFilter { horizontal_arrows: true, vertical_arrows: true, ..EventFilter::default() };
+    ui.memory_mut(|memory| memory.set_focus_lock_filter(response.id, filter));
+    let [x, y] = recorded?;
+    let [width, height] = place.size;
+    let pixel = ui.input(|input| {
+        let stride = if input.modifiers.shift { 10 } else { 1 };
+        let moved = |at: u32, back, forward, end: u32| {
+            let at = if input.key_pressed(back) { at.saturating_sub(stride) } else { at };
+            if input.key_pressed(forward) { (at + stride).min(end - 1) } else { at }
+        };
+        [moved(x, Key::ArrowLeft, Key::ArrowRight, width), moved(y, Key::ArrowUp, Key::ArrowDown, height)]
+    });
+    (pixel != [x, y]).then_some(pixel)
+}
