@@ -19,6 +19,7 @@ impl Workbench {
         if let Some(command) = command::pressed(&ctx, self) {
             command.run(self, &ctx);
         }
+        self.follow_edits(&ctx);
         let whole = ui.max_rect();
         ui.painter().rect_filled(whole, 0.0, Palette::current(&ctx).window);
         let (bar, rest) = whole.split_top_bottom_at_y(whole.top() + top_bar::height(ui, self));
@@ -26,6 +27,7 @@ impl Workbench {
         let rest = self.messages(ui, rest.shrink(MARGIN));
         ui.scope_builder(UiBuilder::new().id_salt("dock").max_rect(rest), |ui| dock::show(ui, self));
         self.pause_what_is_not_seen();
+        self.ask_questions(&ctx);
     }
 
     fn top_bar(&mut self, ui: &mut Ui, bar: Rect) {

@@ -8,6 +8,7 @@ mod accuracy;
 mod command;
 mod dock;
 mod drawings;
+mod edit;
 mod effects;
 mod frame;
 mod kept;
@@ -20,7 +21,7 @@ mod story;
 mod window;
 mod workbench;
 
-pub use command::{Command, Commands, SceneCommand, StepCommand, ViewCommand};
+pub use command::{Command, Commands, EditCommand, SceneCommand, StepCommand, ViewCommand};
 pub use dock::{Dock, Preset};
 pub use pane::Pane;
 pub use settings::Settings;

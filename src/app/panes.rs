@@ -27,6 +27,8 @@ impl Workbench {
             }
             Pane::Accuracy => self.accuracy_pane(ui),
             Pane::Effects => self.effects_pane(ui),
+            Pane::Editor => self.editor_pane(ui),
+            Pane::Properties => self.editing.properties_ui(ui),
             Pane::Overview
             | Pane::Generic
             | Pane::Intervals
@@ -35,16 +37,18 @@ impl Workbench {
             | Pane::Shading
             | Pane::Planes
             | Pane::Search
-            | Pane::Compare
-            | Pane::Editor
-            | Pane::Properties => empty(ui, &say(ui.ctx(), &format!("{}-about", pane.word()))),
+            | Pane::Compare => empty(ui, &say(ui.ctx(), &format!("{}-about", pane.word()))),
         }
     }
 
     /// The tools at the right end of a panel's header, from right to left.
     pub(in crate::app) fn pane_tools(&mut self, ui: &mut Ui, pane: Pane) {
         let state = match pane {
-            Pane::Picture => self.open.as_ref().map(|open| self.picture_state(ui.ctx(), open)),
+            Pane::Picture => {
+                self.move_switch(ui);
+                self.open.as_ref().map(|open| self.picture_state(ui.ctx(), open))
+            }
+            Pane::Editor => Some(self.editor_state(ui.ctx())),
             Pane::Side => {
                 self.side.tools(ui);
                 None
@@ -75,12 +79,14 @@ impl Workbench {
     }
 
     fn picture_pane(&mut self, ui: &mut Ui) {
+        self.picture_keys(ui.ctx());
         let Some(open) = &self.open else { return empty(ui, &say(ui.ctx(), "no-scene")) };
         let texture = self.renderer.texture(ui.ctx()).cloned();
         let view = ImageView { scene: &open.scene, texture, recording: self.recording.as_ref() };
         if let Some(pixel) = self.image.ui(ui, &view) {
             self.record(pixel);
         }
+        self.picture_handles(ui);
     }
 
     fn side_pane(&mut self, ui: &mut Ui) {

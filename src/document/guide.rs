@@ -52,6 +52,17 @@ impl Guide {
         allowed
     }
 
+    /// A solid of a shape, with the parameters that it needs.
+    #[must_use]
+    pub fn solid(&self, shape: &str) -> Value {
+        let rules = self.definition("#/$defs/SolidFile").map(|rule| self.allowed(vec![rule]).rules).unwrap_or_default();
+        let is_it = |rule: &&&Rule| {
+            let tag = rule.get("properties").and_then(|properties| properties.get("shape")?.get("const"));
+            tag.is_some_and(|tag| tag == shape)
+        };
+        rules.iter().find(is_it).map_or_else(|| serde_json::json!({ "shape": shape }), |rule| self.example_object(rule))
+    }
+
     fn allowed<'g>(&'g self, uses: Vec<&'g Rule>) -> Allowed<'g> {
         let mut rules: Vec<&Rule> = Vec::new();
         for rule in &uses {

@@ -3,10 +3,12 @@
 //! Each area has a file with an enum of its own, which implements [`Commands`]. Menus, keys, the palette, the help and the tests are made
 //! from [`Command::all`], so that none of them can lack one.
 
+mod edit;
 mod scene;
 mod step;
 mod view;
 
+pub use edit::EditCommand;
 pub use scene::SceneCommand;
 pub use step::StepCommand;
 pub use view::ViewCommand;
@@ -87,6 +89,7 @@ macro_rules! areas {
 
 areas! {
     Scene(SceneCommand) = "menu-scene",
+    Edit(EditCommand) = "menu-edit",
     Step(StepCommand) = "menu-step",
     View(ViewCommand) = "menu-view",
 }

@@ -2,6 +2,7 @@
 
 use crate::app::frame::empty::empty;
 use crate::app::frame::theme::Palette;
+use crate::app::frame::words::say;
 use crate::app::story::recording::Recording;
 use crate::record::EventId;
 use crate::view::{Row, row};
@@ -71,7 +72,10 @@ fn offset_of_selection(ui: &Ui, recording: &mut Recording) -> Option<f32> {
 /// Shows a row; returns whether it was clicked.
 fn show_row(ui: &mut Ui, recording: &mut Recording, id: EventId) -> bool {
     let tree = Arc::clone(&recording.tree);
-    let row = row(tree.event(id));
+    let mut row = row(tree.event(id));
+    if recording.changed.contains(&id) {
+        row.numbers = format!("● {} {}", say(ui.ctx(), "edit-changed"), row.numbers);
+    }
     let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width(), ROW), Sense::hover());
     let response = ui.interact(rect, ui.scope_id().with(("row", id)), Sense::click());
     let selected = recording.selected() == id;

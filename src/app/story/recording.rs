@@ -7,6 +7,7 @@ use crate::scene::Scene;
 use crate::shape::Method;
 use crate::trace::{RayTree, record_pixel};
 use glam::DVec3;
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
 /// A hit, and the ray that made it.
@@ -46,6 +47,8 @@ pub struct Recording {
     pub hits: Vec<HitMark>,
     /// The method that hits were found by, where it is not the scene's own.
     pub by: Option<Method>,
+    /// The events that an edit of the scene changed.
+    pub changed: BTreeSet<EventId>,
     selected: EventId,
     /// Whether the selection moved since the tree panel last scrolled to it.
     pub selection_moved: bool,
@@ -62,7 +65,7 @@ impl Recording {
     #[must_use]
     pub fn of_tree(scene: Arc<Scene>, pixel: [u32; 2], tree: Arc<RayTree>, by: Option<Method>) -> Self {
         let (outline, hits) = (Outline::new(&tree), hits(&tree));
-        Self { pixel, scene, tree, outline, hits, by, selected: 0, selection_moved: true }
+        Self { pixel, scene, tree, outline, hits, by, changed: BTreeSet::new(), selected: 0, selection_moved: true }
     }
 
     /// The selected event: the step of the story at which all panels stand.
