@@ -201,6 +201,30 @@ fn an_object_is_moved_by_dragging_it_in_the_picture_and_one_undo_takes_it_back()
 }
 
 #[test]
+fn in_the_side_view_an_object_is_moved_within_its_plane_and_along_an_axis_with_shift() {
+    let mut bench = open_editor("hello/sphere");
+    run(&mut bench, rayscope::app::Command::Edit(EditCommand::Move));
+    let rect = bench.get_by_role_and_label(Role::Image, "Side view").rect();
+    let ball = {
+        let recording = workbench(&bench).recording().expect("recorded");
+        let options = rayscope::view::SideViewOptions {
+            size: [f64::from(rect.width().floor()), f64::from(rect.height().floor())],
+            ..Default::default()
+        };
+        let tree = &recording.tree;
+        let plane = rayscope::view::side_view_plane(&recording.scene, tree, recording.selected(), &options);
+        let [x, y] = plane.spot(glam::DVec3::new(0.0, 0.0, 1.0));
+        rect.min + Vec2::new(x as f32, y as f32)
+    };
+    bench.input_mut().modifiers = Modifiers::SHIFT;
+    drag(&mut bench, ball, ball - Vec2::new(3.0, 30.0));
+    let value: serde_json::Value = serde_json::from_str(&text(&bench)).expect("JSON");
+    let moved = value["objects"][0]["transform"][0]["translate"].clone();
+    assert_eq!((moved[0].as_f64(), moved[1].as_f64()), (Some(0.0), Some(0.0)), "{moved}");
+    assert!(moved[2].as_f64() > Some(1.05), "{moved}");
+}
+
+#[test]
 fn keys_move_what_is_chosen_while_the_picture_has_the_focus() {
     let mut bench = open_editor("hello/sphere");
     let pixel_before = workbench(&bench).scene().expect("open").scene.pixels[0];

@@ -94,6 +94,7 @@ impl Workbench {
         if let Some(event) = self.side.ui(ui, &open.scene, self.recording.as_ref()) {
             self.select(event);
         }
+        self.section_handles(ui);
     }
 
     fn story_pane(&mut self, ui: &mut Ui) {

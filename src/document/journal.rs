@@ -94,6 +94,12 @@ impl Journal {
         Some(Write::Anew([HEAD, &record(b'=', &whole)[..]].concat()))
     }
 
+    /// Whether anything was written since the journal was begun or forgotten.
+    #[must_use]
+    pub const fn is_begun(&self) -> bool {
+        self.records > 0
+    }
+
     /// Forgets what was written: the next note holds everything.
     pub fn forget(&mut self) {
         *self = Self::default();

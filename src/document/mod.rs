@@ -31,7 +31,7 @@ pub use flaws::{Flaw, flaws};
 pub use guide::{Allowed, Guide};
 pub use journal::{Journal, Recovered, Write};
 pub use lines::{Line, compare_lines, with_context};
-pub use motion::{Settings, across_view, along_axis, decimals_for, depth, moved, rounded};
+pub use motion::{Settings, across_view, along_axis, along_nearest_axis, decimals_for, depth, moved, rounded};
 pub use place::{Place, Step};
 pub use sameness::{changed_events, counterparts, same_event};
 pub use sheet::{Control, Property, Range, Section, sheet};

@@ -118,15 +118,30 @@ pub fn depth(camera: &Camera, point: DVec3) -> f64 {
     (point - camera.eye).dot(camera.forward)
 }
 
-/// The part of a move that goes along an axis of the world, such that it looks the same in the picture as nearly as can be.
+/// The part of a move that goes along an axis of the world, such that it looks the same as nearly as can be.
 ///
-/// The axis seen from the eye is a line in the picture; the pointer is followed along it.
+/// `towards` is the direction in which one looks: along it nothing is seen to move. The axis is seen as a line, and the
+/// pointer is followed along it.
 #[must_use]
-pub fn along_axis(camera: &Camera, by: DVec3, axis: DVec3) -> DVec3 {
-    let seen = axis - camera.forward * axis.dot(camera.forward);
+pub fn along_axis(towards: DVec3, by: DVec3, axis: DVec3) -> DVec3 {
+    let seen = across(towards, axis);
     let length = seen.length_squared();
     // An axis that points at the eye cannot be followed.
     if length < 1e-6 { DVec3::ZERO } else { axis * (by.dot(seen) / length) }
+}
+
+/// The same for that axis of the world which goes most nearly the way of the move.
+#[must_use]
+pub fn along_nearest_axis(towards: DVec3, by: DVec3) -> DVec3 {
+    let likeness = |axis: DVec3| across(towards, by).dot(across(towards, axis).normalize_or_zero()).abs();
+    let axes = [DVec3::X, DVec3::Y, DVec3::Z];
+    let nearest = axes.into_iter().max_by(|a, b| likeness(*a).total_cmp(&likeness(*b))).unwrap_or(DVec3::X);
+    along_axis(towards, by, nearest)
+}
+
+/// What is seen of a vector by somebody who looks in a direction.
+fn across(towards: DVec3, vector: DVec3) -> DVec3 {
+    vector - towards * vector.dot(towards)
 }
 
 #[cfg(test)]
@@ -184,8 +199,9 @@ mod tests {
         let by = across_view(&scene.camera, scene.image, depth(&scene.camera, point), [40.0, -25.0]);
         let [x2, y2] = scene.camera.project(scene.image, point + by).unwrap();
         assert!((x2 - x - 40.0).abs() < 1e-9 && (y2 - y + 25.0).abs() < 1e-9);
-        let along = along_axis(&scene.camera, by, DVec3::X);
+        let along = along_axis(scene.camera.forward, by, DVec3::X);
         assert_eq!((along.y, along.z), (0.0, 0.0));
+        assert_eq!(along_nearest_axis(DVec3::Y, DVec3::new(0.3, 0.0, -2.0)), DVec3::new(0.0, 0.0, -2.0));
     }
 
     #[test]

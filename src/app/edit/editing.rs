@@ -14,6 +14,7 @@ use crate::document::{
 };
 use crate::record::What;
 use crate::scene::{Diagnostics, Scene};
+use egui::Context;
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 
@@ -74,6 +75,12 @@ impl Editing {
     #[must_use]
     pub fn is_stale(&self) -> bool {
         self.shown != self.document.revision()
+    }
+
+    /// Whether that has to be said: not in the moments in which a new text is being compiled.
+    #[must_use]
+    pub fn looks_stale(&self, ctx: &Context) -> bool {
+        self.is_stale() && (!self.flaws.is_empty() || self.live.waits_long(ctx))
     }
 
     /// The file that the text is saved to; none for scenes that come with the program, and new ones.

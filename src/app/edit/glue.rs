@@ -51,10 +51,7 @@ impl Workbench {
 
     /// Does what is due between two frames: compiles, saves, notes, asks.
     pub(in crate::app) fn follow_edits(&mut self, ctx: &Context) {
-        let another_redo = || ctx.input_mut(|input| input.consume_key(Modifiers::COMMAND, Key::Y));
-        if !types_elsewhere(ctx) && another_redo() {
-            self.editing.redo();
-        }
+        self.take_undo_keys(ctx);
         self.editing.analysis.follow(&self.editing.document);
         self.follow_text(ctx);
         self.follow_selection();
@@ -66,6 +63,22 @@ impl Workbench {
         self.guard_closing(ctx);
     }
 
+    /// The other key for redoing; and what is left of these keys where there is nothing to undo, so that the text field does not take
+    /// back what it remembers by itself.
+    fn take_undo_keys(&mut self, ctx: &Context) {
+        if types_elsewhere(ctx) {
+            return;
+        }
+        let pressed = |modifiers, key| ctx.input_mut(|input| input.consume_key(modifiers, key));
+        if pressed(Modifiers::COMMAND, Key::Y) {
+            self.editing.redo();
+        }
+        if Editor::has_focus(ctx) {
+            pressed(Modifiers::COMMAND.plus(Modifiers::SHIFT), Key::Z);
+            pressed(Modifiers::COMMAND, Key::Z);
+        }
+    }
+
     /// Asks what has to be asked, over everything else.
     pub(in crate::app) fn ask_questions(&mut self, ctx: &Context) {
         if let Some(guard) = self.editing.guard.clone() {
@@ -73,6 +86,10 @@ impl Workbench {
                 self.editing.guard = None;
                 self.settle(ctx, guard.then, answer);
             }
+            return;
+        }
+        if self.editing.document.is_dirty() {
+            // One edit at a time: what is left is offered when this one is saved, or at the next start.
             return;
         }
         let choice = self.editing.recovery.as_ref().and_then(Recovery::offer).map(|offer| dialog::offer(ctx, offer));
@@ -147,7 +164,7 @@ impl Workbench {
         let order = || CompileOrder {
             text: editing.document.text().to_owned(),
             revision,
-            name: open.name.clone(),
+            name: editing.name.clone(),
             outside: self.outside,
             profile: open.look.as_ref().map(|look| look.profile.clone()),
             open: Some([Arc::clone(&open.whole), Arc::clone(&open.scene)]),
@@ -172,6 +189,7 @@ impl Workbench {
     fn show_followed(&mut self, ctx: &Context, followed: Followed) {
         let Some(open) = &mut self.open else { return };
         (open.whole, open.scene) = (followed.whole, followed.scene);
+        open.name.clone_from(&self.editing.name);
         self.renderer.follow(ctx, &open.scene);
         self.image.reset();
         self.effects.reset();
@@ -211,7 +229,7 @@ impl Workbench {
     pub(in crate::app) fn editor_state(&self, ctx: &Context) -> String {
         let saved = if self.editing.document.is_dirty() { "edit-unsaved" } else { "edit-saved" };
         let mut state = say(ctx, saved);
-        if self.editing.is_stale() {
+        if self.editing.looks_stale(ctx) {
             state = format!("{state} · {}", say(ctx, "edit-stale"));
         }
         let problem = self.editing.recovery.as_ref().and_then(Recovery::problem);
@@ -230,7 +248,7 @@ impl Workbench {
     pub(in crate::app) fn picture_handles(&mut self, ui: &Ui) {
         let (Some(open), Some((place, _))) = (&self.open, self.image.seen) else { return };
         let scene = Arc::clone(&open.scene);
-        if self.editing.is_stale() {
+        if self.editing.looks_stale(ui.ctx()) {
             let at = place.rect.left_top() + egui::vec2(6.0, 4.0);
             let text = say(ui.ctx(), "edit-stale");
             let galley = ui.painter().layout_no_wrap(text, egui::FontId::proportional(12.0), egui::Color32::WHITE);
@@ -251,7 +269,17 @@ impl Workbench {
                 draw_spot(ui.painter(), &scene, &place, at);
             }
         }
-        self.editing.move_by_pointer(ui, &scene, &place);
+        self.editing.move_in_picture(ui, &scene, &place);
+    }
+
+    /// Over the side view: the pointer that moves things.
+    pub(in crate::app) fn section_handles(&mut self, ui: &Ui) {
+        if !self.editing.mover.is_on {
+            return;
+        }
+        let (Some(open), Some((rect, plane))) = (&self.open, self.side.plane()) else { return };
+        let scene = Arc::clone(&open.scene);
+        self.editing.move_in_section(ui, &scene, rect, &plane);
     }
 
     /// The switch in the picture's header.

@@ -15,6 +15,9 @@ use std::time::Duration;
 /// and the picture is felt to lag.
 const QUIET: f64 = 0.05;
 
+/// After so long it is said that the picture is of an older text, in seconds. Sooner, it would flicker at every letter.
+const LONG: f64 = 0.6;
+
 /// What a text became.
 pub struct Compiled {
     /// The revision of the text.
@@ -92,6 +95,13 @@ impl Live {
         let order = order();
         self.asked = Some(revision);
         self.job = Background::start(ctx, "compile", move |_, publish| publish(order.compile()));
+    }
+
+    /// Whether the newest text has not been compiled for longer than a person overlooks.
+    #[must_use]
+    pub fn waits_long(&self, ctx: &Context) -> bool {
+        let now = ctx.input(|input| input.time);
+        self.seen.is_some_and(|(_, since)| now - since > LONG)
     }
 
     /// What the newest text became, once.

@@ -9,6 +9,7 @@ pub mod field;
 pub mod finder;
 pub mod frame_box;
 pub mod glue;
+pub mod grasp;
 pub mod highlight;
 pub mod live;
 pub mod mover;

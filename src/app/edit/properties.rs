@@ -26,6 +26,8 @@ enum Wish {
     Insert(Place, usize, Value, String),
     Remove(Place, String),
     Choose(Place),
+    Undo,
+    Redo,
     Seal,
 }
 
@@ -84,7 +86,25 @@ impl Editing {
                 wishes.push(Wish::Remove(target.place.clone(), cause));
             }
         });
+        self.history(ui, wishes);
         ui.separator();
+    }
+
+    /// What would be taken back, and what would be made again, by name.
+    fn history(&self, ui: &mut Ui, wishes: &mut Vec<Wish>) {
+        let named = |word: &str, change: Option<&str>| {
+            change.map(|change| say_with(ui.ctx(), word, &[("change", change.into())]))
+        };
+        let undo = named("edit-undo-named", self.document.undo_name());
+        let redo = named("edit-redo-named", self.document.redo_name());
+        ui.horizontal_wrapped(|ui| {
+            if undo.is_some_and(|title| ui.small_button(title).clicked()) {
+                wishes.push(Wish::Undo);
+            }
+            if redo.is_some_and(|title| ui.small_button(title).clicked()) {
+                wishes.push(Wish::Redo);
+            }
+        });
     }
 
     fn grant_all(&mut self, wishes: Vec<Wish>) {
@@ -102,6 +122,8 @@ impl Editing {
                     self.target = self.target.take().filter(|target| !place.holds(target) || *target != place);
                 }
                 Wish::Choose(place) => self.choose(place),
+                Wish::Undo => self.undo(),
+                Wish::Redo => self.redo(),
                 Wish::Seal => self.document.seal(),
             }
         }

@@ -90,7 +90,7 @@ impl Recovery {
     /// Notes what has changed since the last note, if it is time to.
     pub fn follow(&mut self, ctx: &Context, document: &Document, name: &str) {
         if !document.is_dirty() {
-            if self.own.is_some() {
+            if self.journal.is_begun() {
                 self.journal.forget();
                 self.send(Order::Remove);
             }
