@@ -2,7 +2,7 @@
 //!
 //! Data flows one way: scene file → [`scene`] → [`trace`] → event tree → [`view`] → command line or workbench. The
 //! layers, from the bottom: [`record`], [`math`], then [`shape`], [`csg`], [`optics`], [`sample`] and [`texture`], then [`scene`], [`trace`],
-//! [`view`], [`accuracy`], [`laboratory`], [`ledger`] and [`peer`], and on top [`cli`] and `app`. [`folder`] reads the pictures beside a scene file, and
+//! [`view`], [`accuracy`], [`laboratory`], [`ledger`], [`peer`] and [`query`], and on top [`cli`] and `app`. [`folder`] reads the pictures beside a scene file, and
 //! [`cpu_time`] tells how long a thread has worked.
 
 #![warn(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::print_stdout, clippy::print_stderr)]
@@ -20,10 +20,12 @@ pub mod ledger;
 pub mod math;
 pub mod optics;
 pub mod peer;
+pub mod query;
 pub mod record;
 pub mod sample;
 pub mod scene;
 pub mod shape;
+pub mod story;
 pub mod texture;
 pub mod trace;
 pub mod view;

@@ -216,7 +216,7 @@ fn in_the_side_view_an_object_is_moved_within_its_plane_and_along_an_axis_with_s
         let [x, y] = plane.spot(glam::DVec3::new(0.0, 0.0, 1.0));
         rect.min + Vec2::new(x as f32, y as f32)
     };
-    bench.input_mut().modifiers = Modifiers::SHIFT;
+    bench.event(Event::ModifiersChanged(Modifiers::SHIFT));
     drag(&mut bench, ball, ball - Vec2::new(3.0, 30.0));
     let value: serde_json::Value = serde_json::from_str(&text(&bench)).expect("JSON");
     let moved = value["objects"][0]["transform"][0]["translate"].clone();

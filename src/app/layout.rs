@@ -3,6 +3,7 @@
 use super::frame::scene_menu::Choice;
 use super::frame::theme::Palette;
 use super::frame::{problem, top_bar};
+use super::help::Help;
 use super::workbench::Workbench;
 use super::{command, dock};
 use egui::{Rect, Ui, UiBuilder};
@@ -16,7 +17,10 @@ impl Workbench {
         let ctx = ui.ctx().clone();
         self.settings.apply(&ctx, self.dock.preset().magnification());
         self.take_files(&ctx);
-        if let Some(command) = command::pressed(&ctx, self) {
+        self.advance_story(&ctx);
+        // What lies over the workbench has the keys.
+        let command = if matches!(self.help, Help::None) { command::pressed(&ctx, self) } else { None };
+        if let Some(command) = command {
             command.run(self, &ctx);
         }
         self.follow_edits(&ctx);
@@ -26,6 +30,7 @@ impl Workbench {
         self.top_bar(ui, bar);
         let rest = self.messages(ui, rest.shrink(MARGIN));
         ui.scope_builder(UiBuilder::new().id_salt("dock").max_rect(rest), |ui| dock::show(ui, self));
+        self.show_help(ui);
         self.pause_what_is_not_seen();
         self.ask_questions(&ctx);
     }

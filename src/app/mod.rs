@@ -11,6 +11,7 @@ mod drawings;
 mod edit;
 mod effects;
 mod frame;
+mod help;
 mod kept;
 mod layout;
 mod pane;
@@ -21,13 +22,12 @@ mod story;
 mod window;
 mod workbench;
 
-pub use command::{Command, Commands, EditCommand, SceneCommand, StepCommand, ViewCommand};
+pub use command::{Command, Commands, EditCommand, HelpCommand, SceneCommand, StepCommand, ViewCommand};
 pub use dock::{Dock, Preset};
 pub use pane::Pane;
 pub use settings::Settings;
-pub use story::outline::Outline;
 pub use story::recording::{HitMark, Recording};
-pub use story::stepper::Step;
+pub use story::stepping::Stepping;
 pub use workbench::{Look, OpenScene, Problem, Workbench};
 
 use crate::folder::Outside;

@@ -5,7 +5,7 @@ use super::frame::words::{say, say_with};
 use super::pane::Pane;
 use super::picture::panel::ImageView;
 use super::picture::renderer::Renderer;
-use super::story::{detail, panel as story_panel, toolbar};
+use super::story::{detail, pane as story_pane};
 use super::workbench::{OpenScene, Workbench};
 use crate::record::Effect;
 use crate::scene::Scene;
@@ -18,7 +18,7 @@ impl Workbench {
         match pane {
             Pane::Picture => self.picture_pane(ui),
             Pane::Side => self.side_pane(ui),
-            Pane::Story => self.story_pane(ui),
+            Pane::Story => story_pane::ui(ui, self),
             Pane::Detail => detail::ui(ui, self.recording.as_ref()),
             Pane::Along => {
                 if let Some(event) = self.plots.ui(ui, self.recording.as_ref()) {
@@ -53,7 +53,7 @@ impl Workbench {
                 self.side.tools(ui);
                 None
             }
-            Pane::Story => Some(toolbar::position(self.recording.as_ref())),
+            Pane::Story => Some(story_pane::position(ui.ctx(), self)),
             _ => None,
         };
         if let Some(state) = state {
@@ -95,16 +95,6 @@ impl Workbench {
             self.select(event);
         }
         self.section_handles(ui);
-    }
-
-    fn story_pane(&mut self, ui: &mut Ui) {
-        let (bar, rows) = toolbar::cut(ui.available_rect_before_wrap());
-        let builder = UiBuilder::new().id_salt("stepper").max_rect(bar.shrink2(egui::vec2(8.0, 4.0)));
-        ui.scope_builder(builder, |ui| toolbar::ui(ui, self.recording.as_mut()));
-        let edge = egui::Stroke::new(1.0, super::frame::theme::Palette::current(ui.ctx()).edge);
-        ui.painter().hline(bar.x_range(), bar.bottom(), edge);
-        let builder = UiBuilder::new().id_salt("rows").max_rect(rows.with_min_y(rows.top() + 1.0));
-        ui.scope_builder(builder, |ui| story_panel::ui(ui, self.recording.as_mut()));
     }
 
     fn accuracy_pane(&mut self, ui: &mut Ui) {

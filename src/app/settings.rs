@@ -1,5 +1,6 @@
 //! What a person has set for good: language, size, and how the panels lie.
 
+use super::frame::{theme, words};
 use crate::words::Language;
 use egui::Context;
 
@@ -13,11 +14,23 @@ pub struct Settings {
     pub language: Language,
     /// How much larger everything is than at first, from 0.5 to 3.
     pub zoom: f32,
+    /// Whether everything stands out from the ground as far as it can.
+    pub is_high_contrast: bool,
+    /// Whether nothing moves by itself.
+    pub is_reduced_motion: bool,
+    /// Whether the tour of the first visit was taken or passed over.
+    pub is_toured: bool,
 }
 
 impl Default for Settings {
     fn default() -> Self {
-        Self { language: Language::English, zoom: 1.0 }
+        Self {
+            language: Language::English,
+            zoom: 1.0,
+            is_high_contrast: false,
+            is_reduced_motion: false,
+            is_toured: false,
+        }
     }
 }
 
@@ -39,7 +52,8 @@ impl Settings {
         if (ctx.zoom_factor() - zoom).abs() > 1e-3 {
             ctx.set_zoom_factor(zoom);
         }
-        crate::app::frame::words::set_language(ctx, self.language);
+        words::set_language(ctx, self.language);
+        theme::set(ctx, self.is_high_contrast, self.is_reduced_motion);
     }
 }
 

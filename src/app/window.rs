@@ -35,6 +35,7 @@ impl Window {
         if let Some(folder) = eframe::storage_dir(NAME) {
             workbench.keep_edits_in(&folder.join("recovery"));
         }
+        workbench.offer_tour();
         Self { workbench }
     }
 }

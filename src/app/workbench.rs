@@ -11,12 +11,15 @@ use crate::app::effects::pane::EffectsPane;
 use crate::app::frame::file_dialog::FileDialog;
 use crate::app::frame::scene_menu::SceneMenu;
 use crate::app::frame::theme;
+use crate::app::help::Help;
 use crate::app::kept;
 use crate::app::pane::Pane;
 use crate::app::picture::panel::ImagePanel;
 use crate::app::picture::renderer::Renderer;
 use crate::app::settings::Settings;
 use crate::app::story::recording::Recording;
+use crate::app::story::stepping::Stepping;
+use crate::app::story::timeline::Timeline;
 use crate::folder::{Outside, files_of_scene};
 use crate::record::EventId;
 use crate::scene::{Effects, EmbeddedScene, Profile, Scene, embedded_scene, embedded_scenes, load_with};
@@ -67,6 +70,8 @@ pub struct Workbench {
     pub(in crate::app) open: Option<OpenScene>,
     pub(in crate::app) problem: Option<Problem>,
     pub(in crate::app) recording: Option<Recording>,
+    pub(in crate::app) stepping: Stepping,
+    pub(in crate::app) timeline: Timeline,
     pub(in crate::app) renderer: Renderer,
     pub(in crate::app) menu: SceneMenu,
     pub(in crate::app) dialog: FileDialog,
@@ -79,6 +84,7 @@ pub struct Workbench {
     pub(in crate::app) settings: Settings,
     pub(in crate::app) editing: Editing,
     pub(in crate::app) outside: Outside,
+    pub(in crate::app) help: Help,
     ctx: Context,
 }
 
@@ -91,6 +97,8 @@ impl Workbench {
             open: None,
             problem: None,
             recording: None,
+            stepping: Stepping::default(),
+            timeline: Timeline::default(),
             renderer: Renderer::default(),
             menu: SceneMenu::default(),
             dialog: FileDialog::default(),
@@ -102,6 +110,7 @@ impl Workbench {
             dock: Dock::default(),
             settings: Settings::default(),
             editing: Editing::default(),
+            help: Help::default(),
             outside,
             ctx: ctx.clone(),
         };
@@ -168,14 +177,6 @@ impl Workbench {
         self.problem = Some(Problem { name: name.to_owned(), text });
     }
 
-    /// Records a pixel and shows its story.
-    pub fn record(&mut self, pixel: [u32; 2]) {
-        let Some(open) = &self.open else { return };
-        let mut recording = Recording::new(&open.scene, pixel);
-        recording.select_outcome();
-        self.recording = Some(recording);
-    }
-
     /// Switches effects on and off: the picture is rendered and the pixel recorded anew.
     pub(in crate::app) fn switch(&mut self, ctx: &Context, effects: Effects) {
         let Some(open) = &mut self.open else { return };
@@ -210,7 +211,7 @@ impl Workbench {
                 let is_shown = recording.by == Some(method) && *recording.tree == *tree;
                 if !is_shown {
                     let (scene, pixel) = (Arc::clone(&recording.scene), recording.pixel);
-                    self.recording = Some(Recording::of_tree(scene, pixel, tree, Some(method)));
+                    self.show_elsewhere(Recording::of_tree(scene, pixel, tree, Some(method)));
                 }
                 self.select(event);
             }
@@ -220,6 +221,13 @@ impl Workbench {
     /// Brings a panel to the front.
     pub fn reveal(&mut self, pane: Pane) {
         self.dock.reveal(pane);
+    }
+
+    /// Offers the tour, unless it was taken or passed over before.
+    pub fn offer_tour(&mut self) {
+        if !self.settings.is_toured {
+            self.help = Help::tour();
+        }
     }
 
     /// Runs a command, as its menu or key does.
@@ -238,6 +246,12 @@ impl Workbench {
     #[must_use]
     pub fn scene(&self) -> Option<&OpenScene> {
         self.open.as_ref()
+    }
+
+    /// How the story is stepped through.
+    #[must_use]
+    pub const fn stepping(&self) -> &Stepping {
+        &self.stepping
     }
 
     /// The recorded pixel.

@@ -29,6 +29,7 @@ mod side_view;
 mod sign_plot;
 mod svg;
 mod text;
+mod timeline;
 
 pub use drawing::{Anchor, Drawing, Form, Frame, Mark, Spot, Stroke, Text};
 pub use event_plot::event_plot;
@@ -45,3 +46,4 @@ pub use side_view::{PlaneView, SectionPlane, SideViewOptions, side_view, side_vi
 pub use sign_plot::sign_plot;
 pub use svg::svg;
 pub use text::{Detail, DetailLine, Row, brief, brief_vector, detail, row, significant, span_list, tree_text};
+pub use timeline::{TimelineScale, timeline};

@@ -41,7 +41,7 @@ impl Colour {
     }
 }
 
-/// Light or dark background.
+/// Light or dark background, and how far what is drawn stands out from it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Theme {
     /// Dark ink on light ground.
@@ -49,15 +49,30 @@ pub enum Theme {
     Light,
     /// Light ink on dark ground.
     Dark,
+    /// Black and deep colours on white.
+    LightContrast,
+    /// White and pale colours on black.
+    DarkContrast,
 }
 
 impl Theme {
+    /// All of them.
+    pub const ALL: [Self; 4] = [Self::Light, Self::Dark, Self::LightContrast, Self::DarkContrast];
+
+    /// Whether the ground is dark.
+    #[must_use]
+    pub const fn is_dark(self) -> bool {
+        matches!(self, Self::Dark | Self::DarkContrast)
+    }
+
     /// Its colours.
     #[must_use]
     pub const fn palette(self) -> &'static Palette {
         match self {
             Self::Light => &LIGHT,
             Self::Dark => &DARK,
+            Self::LightContrast => &LIGHT_CONTRAST,
+            Self::DarkContrast => &DARK_CONTRAST,
         }
     }
 }
@@ -173,6 +188,70 @@ static DARK: Palette = Palette {
     ],
 };
 
+static LIGHT_CONTRAST: Palette = Palette {
+    ground: Colour::hex(0xff_ff_ff),
+    panel: Colour::hex(0xff_ff_ff),
+    ink: Colour::hex(0x00_00_00),
+    faint: Colour::hex(0x3a_3f_47),
+    grid: Colour::hex(0x6a_6f_78),
+    highlight: Colour::hex(0xb3_6b_00),
+    camera: Colour::hex(0x00_3f_73),
+    reflected: Colour::hex(0x8a_2f_00),
+    refracted: Colour::hex(0x00_51_3a),
+    shadow: Colour::hex(0x57_43_00),
+    scattered: Colour::hex(0x6f_1f_80),
+    normal: Colour::hex(0x7d_23_58),
+    extent: Colour::hex(0x4a_4f_57),
+    left: Colour::hex(0x0a_4f_86),
+    right: Colour::hex(0x7a_46_00),
+    combined: Colour::hex(0x00_54_3c),
+    outside: Colour::hex(0x7a_43_00),
+    inside: Colour::hex(0x00_4a_80),
+    good: Colour::hex(0x00_51_3a),
+    bad: Colour::hex(0x94_18_0a),
+    categories: [
+        Colour::hex(0x0a_4f_86),
+        Colour::hex(0x7a_46_00),
+        Colour::hex(0x00_51_3a),
+        Colour::hex(0x7d_23_58),
+        Colour::hex(0x8a_2f_00),
+        Colour::hex(0x57_43_00),
+        Colour::hex(0x3a_3f_47),
+    ],
+};
+
+static DARK_CONTRAST: Palette = Palette {
+    ground: Colour::hex(0x00_00_00),
+    panel: Colour::hex(0x00_00_00),
+    ink: Colour::hex(0xff_ff_ff),
+    faint: Colour::hex(0xd5_d9_df),
+    grid: Colour::hex(0x8d_95_a1),
+    highlight: Colour::hex(0xff_e1_4d),
+    camera: Colour::hex(0x8f_d6_ff),
+    reflected: Colour::hex(0xff_b1_85),
+    refracted: Colour::hex(0x5c_f0_c4),
+    shadow: Colour::hex(0xff_e2_7a),
+    scattered: Colour::hex(0xf0_b8_fa),
+    normal: Colour::hex(0xff_c0_e0),
+    extent: Colour::hex(0xc4_ca_d3),
+    left: Colour::hex(0x8c_cd_f7),
+    right: Colour::hex(0xff_c7_66),
+    combined: Colour::hex(0x62_e8_c0),
+    outside: Colour::hex(0xff_c0_70),
+    inside: Colour::hex(0x8f_d2_ff),
+    good: Colour::hex(0x5c_f0_c4),
+    bad: Colour::hex(0xff_a5_98),
+    categories: [
+        Colour::hex(0x8c_cd_f7),
+        Colour::hex(0xff_c7_66),
+        Colour::hex(0x62_e8_c0),
+        Colour::hex(0xff_c0_e0),
+        Colour::hex(0xff_b1_85),
+        Colour::hex(0xff_e2_7a),
+        Colour::hex(0xd5_d9_df),
+    ],
+};
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -190,7 +269,7 @@ mod tests {
 
     #[test]
     fn texts_and_rays_stand_out_from_the_ground() {
-        for theme in [Theme::Light, Theme::Dark] {
+        for theme in Theme::ALL {
             let p = theme.palette();
             for text in
                 [p.ink, p.faint, p.camera, p.reflected, p.refracted, p.shadow, p.scattered, p.normal, p.bad, p.good]
@@ -200,6 +279,20 @@ mod tests {
             for line in [p.left, p.combined, p.outside, p.inside, p.extent] {
                 assert!(contrast(line, p.ground) >= 3.0, "{theme:?} {line:?}: {}", contrast(line, p.ground));
             }
+        }
+    }
+
+    #[test]
+    fn with_high_contrast_every_text_and_line_stands_out_seven_times() {
+        for theme in [Theme::LightContrast, Theme::DarkContrast] {
+            let p = theme.palette();
+            let texts =
+                [p.ink, p.faint, p.camera, p.reflected, p.refracted, p.shadow, p.scattered, p.normal, p.bad, p.good];
+            let lines = [p.left, p.right, p.combined, p.outside, p.inside, p.extent];
+            for colour in texts.into_iter().chain(lines).chain(p.categories) {
+                assert!(contrast(colour, p.ground) >= 7.0, "{theme:?} {colour:?}: {}", contrast(colour, p.ground));
+            }
+            assert!(contrast(p.grid, p.ground) >= 3.0, "{theme:?}");
         }
     }
 }

@@ -9,6 +9,7 @@ use rayscope::app::{Command, Pane, Workbench};
 use rayscope::folder::Outside;
 use rayscope::record::What;
 use rayscope::scene::embedded_scene;
+use rayscope::story::Level;
 use std::time::{Duration, Instant};
 
 pub type Bench<'a> = Harness<'a, Option<Workbench>>;
@@ -36,11 +37,22 @@ pub fn open<'a>(scene: &str) -> Bench<'a> {
     open_at(scene, Vec2::new(1280.0, 800.0))
 }
 
-/// A few frames: for layout, focus and events to arrive.
+/// A few frames: for layout, focus and events to arrive, and for what is being recorded to be shown.
 pub fn settle(bench: &mut Bench) {
     for _ in 0..4 {
         bench.step();
     }
+    let is_recording = |bench: &Bench| bench.state().as_ref().is_some_and(|bench| bench.stepping().is_recording());
+    if is_recording(bench) {
+        wait_until(bench, "the recording", |bench| !is_recording(bench));
+        settle(bench);
+    }
+}
+
+/// Tells the story at another level.
+pub fn tell(bench: &mut Bench, level: Level) {
+    workbench_mut(bench).set_level(level);
+    settle(bench);
 }
 
 pub fn workbench<'b>(bench: &'b Bench) -> &'b Workbench {

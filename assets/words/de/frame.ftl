@@ -100,3 +100,7 @@ language-english = Language: English
 language-english-about = Show the interface in English.
 language-german = Sprache: Deutsch
 language-german-about = Die Oberfläche auf Deutsch zeigen.
+view-high-contrast = Hoher Kontrast
+view-high-contrast-about = Texte und Linien heben sich mindestens siebenfach vom Grund ab.
+view-reduced-motion = Weniger Bewegung
+view-reduced-motion-about = Nichts blendet, gleitet oder rollt von selbst.

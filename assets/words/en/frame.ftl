@@ -100,3 +100,7 @@ language-english = Language: English
 language-english-about = Show the interface in English.
 language-german = Sprache: Deutsch
 language-german-about = Die Oberfläche auf Deutsch zeigen.
+view-high-contrast = High contrast
+view-high-contrast-about = Let texts and lines stand out from the ground at least seven times.
+view-reduced-motion = Reduced motion
+view-reduced-motion-about = Nothing fades, slides or scrolls by itself.

@@ -4,11 +4,13 @@
 //! from [`Command::all`], so that none of them can lack one.
 
 mod edit;
+mod help;
 mod scene;
 mod step;
 mod view;
 
 pub use edit::EditCommand;
+pub use help::HelpCommand;
 pub use scene::SceneCommand;
 pub use step::StepCommand;
 pub use view::ViewCommand;
@@ -42,6 +44,12 @@ pub trait Commands: Copy + 'static {
 /// One line for each area, in the order of menus: the variant, its commands, and the name of the menu in the catalogue of words.
 macro_rules! areas {
     ($($area:ident($commands:ty) = $word:literal),+ $(,)?) => {
+        $(impl From<$commands> for Command {
+            fn from(command: $commands) -> Self {
+                Self::$area(command)
+            }
+        })+
+
         /// A command of any area.
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
         pub enum Command {
@@ -92,6 +100,7 @@ areas! {
     Edit(EditCommand) = "menu-edit",
     Step(StepCommand) = "menu-step",
     View(ViewCommand) = "menu-view",
+    Help(HelpCommand) = "menu-help",
 }
 
 impl Command {

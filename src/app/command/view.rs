@@ -44,6 +44,10 @@ pub enum ViewCommand {
     ZoomReset,
     /// Chooses between light and dark.
     Theme(ThemePreference),
+    /// Lets everything stand out as far as it can.
+    HighContrast,
+    /// Lets nothing move by itself.
+    ReducedMotion,
     /// Chooses a language.
     Language(Language),
 }
@@ -87,6 +91,8 @@ impl Commands for ViewCommand {
         Self::Theme(ThemePreference::System),
         Self::Theme(ThemePreference::Light),
         Self::Theme(ThemePreference::Dark),
+        Self::HighContrast,
+        Self::ReducedMotion,
         Self::Language(Language::English),
         Self::Language(Language::German),
     ];
@@ -110,6 +116,8 @@ impl Commands for ViewCommand {
             Self::Theme(ThemePreference::System) => "theme-system",
             Self::Theme(ThemePreference::Light) => "theme-light",
             Self::Theme(ThemePreference::Dark) => "theme-dark",
+            Self::HighContrast => "view-high-contrast",
+            Self::ReducedMotion => "view-reduced-motion",
             Self::Language(Language::English) => "language-english",
             Self::Language(Language::German) => "language-german",
         }
@@ -134,7 +142,12 @@ impl Commands for ViewCommand {
             Self::ZoomIn => command(Key::Plus),
             Self::ZoomOut => command(Key::Minus),
             Self::ZoomReset => command(Key::Num0),
-            Self::ResetLayout | Self::Pane(_) | Self::Theme(_) | Self::Language(_) => None,
+            Self::ResetLayout
+            | Self::Pane(_)
+            | Self::Theme(_)
+            | Self::HighContrast
+            | Self::ReducedMotion
+            | Self::Language(_) => None,
         }
     }
 
@@ -152,6 +165,8 @@ impl Commands for ViewCommand {
             Self::Layout(preset) => Some(workbench.dock.preset() == preset),
             Self::Pane(pane) => Some(workbench.dock.shows(pane)),
             Self::Theme(preference) => Some(theme == preference),
+            Self::HighContrast => Some(workbench.settings.is_high_contrast),
+            Self::ReducedMotion => Some(workbench.settings.is_reduced_motion),
             Self::Language(language) => Some(workbench.settings.language == language),
             _ => None,
         }
@@ -177,6 +192,8 @@ impl Commands for ViewCommand {
             Self::ZoomOut => workbench.settings.zoom_by(-1),
             Self::ZoomReset => workbench.settings.zoom = 1.0,
             Self::Theme(preference) => ctx.set_theme(preference),
+            Self::HighContrast => workbench.settings.is_high_contrast ^= true,
+            Self::ReducedMotion => workbench.settings.is_reduced_motion ^= true,
             Self::Language(language) => workbench.settings.language = language,
         }
     }

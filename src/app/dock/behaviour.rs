@@ -61,7 +61,8 @@ impl Docking<'_> {
         let rect = ui.max_rect();
         ui.painter().rect_filled(rect, 0.0, palette.panel);
         let whole = ui.interact(rect, focus_of(pane), Sense::focusable_noninteractive());
-        whole.widget_info(|| WidgetInfo::labeled(Role::Pane, true, say(ui.ctx(), pane.word())));
+        let title = say(ui.ctx(), pane.word());
+        whole.widget_info(|| WidgetInfo::labeled(Role::Pane, true, &title));
         let mut child = ui.new_child(UiBuilder::new().id_salt(pane.word()).max_rect(rect.shrink(1.0)));
         child.shrink_clip_rect(rect);
         self.workbench.pane(&mut child, pane);

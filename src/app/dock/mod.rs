@@ -8,7 +8,7 @@ pub use behaviour::show;
 pub use preset::Preset;
 
 use crate::app::pane::Pane;
-use egui::{Context, Id};
+use egui::{Context, Id, Rect};
 use egui_tiles::{Container, SimplificationOptions, Tile, TileId, Tree};
 use serde::{Deserialize, Serialize};
 
@@ -80,6 +80,13 @@ impl Dock {
     #[must_use]
     pub fn visible(&self) -> Vec<Pane> {
         self.tree().active_tiles().into_iter().filter_map(|id| self.tree().tiles.get_pane(&id).copied()).collect()
+    }
+
+    /// Where a panel is seen.
+    #[must_use]
+    pub fn rect_of(&self, pane: Pane) -> Option<Rect> {
+        let tile = self.tile_of(pane).filter(|_| self.shows(pane))?;
+        self.tree().tiles.rect(tile)
     }
 
     /// The panel that was used last.

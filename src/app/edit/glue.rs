@@ -169,7 +169,9 @@ impl Workbench {
             profile: open.look.as_ref().map(|look| look.profile.clone()),
             open: Some([Arc::clone(&open.whole), Arc::clone(&open.scene)]),
             pixel: recording.map(|recording| recording.pixel),
-            before: recording.map(|recording| (Arc::clone(&recording.tree), recording.selected())),
+            before: recording
+                .filter(|recording| Arc::ptr_eq(&recording.scene, &open.scene))
+                .map(|recording| (Arc::clone(&recording.tree), recording.selected())),
         };
         editing.live.follow(ctx, revision, order);
         let Some(compiled) = editing.live.take() else { return };
@@ -197,20 +199,25 @@ impl Workbench {
         // Another pixel may have been chosen meanwhile; then that one is recorded.
         let pixel = self.recording.as_ref().map_or(followed.pixel, |recording| recording.pixel);
         let size = [open.scene.image.width, open.scene.image.height];
-        if pixel == followed.pixel || pixel[0] >= size[0] || pixel[1] >= size[1] {
-            let mut recording = Recording::of_tree(Arc::clone(&open.scene), followed.pixel, followed.tree, None);
-            recording.changed = followed.changed;
-            recording.select(followed.selected);
-            self.editing.properties.event = Some((followed.pixel, followed.selected));
-            self.recording = Some(recording);
-        } else {
+        if pixel != followed.pixel && pixel[0] < size[0] && pixel[1] < size[1] {
             self.record(pixel);
+            return;
         }
+        let mut recording = Recording::of_tree(Arc::clone(&open.scene), followed.pixel, followed.tree, None);
+        recording.changed = followed.changed;
+        recording.select(followed.selected);
+        self.show_elsewhere(recording);
+        let selected = self.recording.as_ref().map_or(0, Recording::selected);
+        self.editing.properties.event = Some((followed.pixel, selected));
     }
 
     /// What is selected in the story is edited.
     fn follow_selection(&mut self) {
         let (Some(open), Some(recording)) = (&self.open, &self.recording) else { return };
+        if !Arc::ptr_eq(&open.scene, &recording.scene) {
+            // It is of another scene, until the pixel is recorded anew.
+            return;
+        }
         let now = Some((recording.pixel, recording.selected()));
         if self.editing.properties.event != now {
             self.editing.properties.event = now;

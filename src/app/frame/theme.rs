@@ -2,13 +2,16 @@
 
 use crate::view::{self, FontRole};
 use egui::{
-    Color32, Context, CornerRadius, FontData, FontDefinitions, FontFamily, FontId, Margin, Shadow, Stroke, Style,
-    TextStyle, Theme, Visuals,
+    Color32, Context, CornerRadius, FontData, FontDefinitions, FontFamily, FontId, Id, Margin, Shadow, Stroke, Style,
+    TextStyle, Theme, Visuals, style::ScrollAnimation,
 };
 use std::sync::Arc;
 
 /// Padding inside a panel, in points.
 pub const PADDING: i8 = 10;
+
+/// How long it takes until a thing that moves has moved, in seconds: long enough to be seen, too short to be waited for.
+const ANIMATION: f32 = 0.1;
 
 /// The colours of the window, taken from those of the drawings.
 #[derive(Clone, Copy, Debug)]
@@ -43,7 +46,7 @@ impl Palette {
     pub fn of(theme: view::Theme) -> Self {
         let palette = theme.palette();
         let shade = |share| colour(palette.ground.mixed(palette.ink, share));
-        let dark = theme == view::Theme::Dark;
+        let dark = theme.is_dark();
         Self {
             window: if dark { colour(palette.ground.mixed(view::Colour::hex(0), 0.35)) } else { shade(0.09) },
             panel: colour(palette.ground),
@@ -75,13 +78,50 @@ pub fn colour(colour: view::Colour) -> Color32 {
 /// The theme that is on, as drawings call it.
 #[must_use]
 pub fn drawing_theme(ctx: &Context) -> view::Theme {
-    as_in_drawings(ctx.theme())
+    as_in_drawings(ctx.theme(), ctx.data(|data| data.get_temp(contrast_place())).unwrap_or(false))
 }
 
-const fn as_in_drawings(theme: Theme) -> view::Theme {
-    match theme {
-        Theme::Light => view::Theme::Light,
-        Theme::Dark => view::Theme::Dark,
+const fn as_in_drawings(theme: Theme, is_high_contrast: bool) -> view::Theme {
+    match (theme, is_high_contrast) {
+        (Theme::Light, false) => view::Theme::Light,
+        (Theme::Dark, false) => view::Theme::Dark,
+        (Theme::Light, true) => view::Theme::LightContrast,
+        (Theme::Dark, true) => view::Theme::DarkContrast,
+    }
+}
+
+fn contrast_place() -> Id {
+    Id::unique("high contrast")
+}
+
+fn motion_place() -> Id {
+    Id::unique("reduced motion")
+}
+
+/// Whether nothing is to move by itself.
+#[must_use]
+pub fn has_reduced_motion(ctx: &Context) -> bool {
+    ctx.data(|data| data.get_temp(motion_place())).unwrap_or(false)
+}
+
+/// Puts contrast and motion into effect, where they have changed.
+pub fn set(ctx: &Context, is_high_contrast: bool, is_reduced_motion: bool) {
+    let wanted = (is_high_contrast, is_reduced_motion);
+    let before = ctx.data(|data| (data.get_temp(contrast_place()), data.get_temp(motion_place())));
+    if before == (Some(wanted.0), Some(wanted.1)) {
+        return;
+    }
+    ctx.data_mut(|data| {
+        data.insert_temp(contrast_place(), is_high_contrast);
+        data.insert_temp(motion_place(), is_reduced_motion);
+    });
+    for theme in [Theme::Light, Theme::Dark] {
+        ctx.style_mut_of(theme, |style| {
+            style.visuals = visuals(theme, is_high_contrast);
+            style.animation_time = if is_reduced_motion { 0.0 } else { ANIMATION };
+            style.scroll_animation =
+                if is_reduced_motion { ScrollAnimation::none() } else { ScrollAnimation::default() };
+        });
     }
 }
 
@@ -140,11 +180,11 @@ fn restyle(style: &mut Style, theme: Theme) {
     style.spacing.interact_size.y = 24.0;
     style.spacing.scroll = egui::style::ScrollStyle::thin();
     style.spacing.tooltip_width = 360.0;
-    style.visuals = visuals(theme);
+    style.visuals = visuals(theme, false);
 }
 
-fn visuals(theme: Theme) -> Visuals {
-    let palette = Palette::of(as_in_drawings(theme));
+fn visuals(theme: Theme, is_high_contrast: bool) -> Visuals {
+    let palette = Palette::of(as_in_drawings(theme, is_high_contrast));
     let mut visuals = theme.default_visuals();
     visuals.override_text_color = None;
     visuals.weak_text_color = Some(palette.weak);

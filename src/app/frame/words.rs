@@ -1,4 +1,7 @@
 //! The words of the interface in the language that is set.
+//!
+//! A context asks for what a widget says while it is locked, and the language is looked up in the context: so words are said before
+//! `widget_info`, not within.
 
 use crate::words::{self, Argument, Language};
 use egui::{Context, Id};

@@ -1,10 +1,9 @@
 //! The recorded pixel that all panels look at, and the one selection that they share.
 
-use crate::app::story::outline::Outline;
-use crate::app::story::stepper::Step;
 use crate::record::{EventId, RayKind, What};
 use crate::scene::Scene;
 use crate::shape::Method;
+use crate::story::{Filter, Index, Level, Step, Story};
 use crate::trace::{RayTree, record_pixel};
 use glam::DVec3;
 use std::collections::BTreeSet;
@@ -41,108 +40,130 @@ pub struct Recording {
     pub scene: Arc<Scene>,
     /// What happened.
     pub tree: Arc<RayTree>,
-    /// Which rows are shown.
-    pub outline: Outline,
     /// All hits, in the order in which they happened.
     pub hits: Vec<HitMark>,
     /// The method that hits were found by, where it is not the scene's own.
     pub by: Option<Method>,
     /// The events that an edit of the scene changed.
     pub changed: BTreeSet<EventId>,
-    selected: EventId,
-    /// Whether the selection moved since the tree panel last scrolled to it.
-    pub selection_moved: bool,
+    story: Story,
+    plotted: Plotted,
+    /// Whether the selection or the rows moved since the tree panel last scrolled to it.
+    pub(in crate::app) selection_moved: bool,
 }
 
 impl Recording {
     /// Records a pixel.
     #[must_use]
     pub fn new(scene: &Arc<Scene>, pixel: [u32; 2]) -> Self {
-        Self::of_tree(Arc::clone(scene), pixel, Arc::new(record_pixel(scene, pixel[0], pixel[1])), None)
+        Self::told(scene, pixel, Level::default(), Filter::default())
+    }
+
+    /// Records a pixel and tells its story at a level and with a filter.
+    #[must_use]
+    pub fn told(scene: &Arc<Scene>, pixel: [u32; 2], level: Level, filter: Filter) -> Self {
+        let tree = Arc::new(record_pixel(scene, pixel[0], pixel[1]));
+        Self::of_tree(Arc::clone(scene), pixel, tree, None).told_as(level, filter)
     }
 
     /// A pixel that was recorded elsewhere, by a method that may not be the scene's own.
     #[must_use]
     pub fn of_tree(scene: Arc<Scene>, pixel: [u32; 2], tree: Arc<RayTree>, by: Option<Method>) -> Self {
-        let (outline, hits) = (Outline::new(&tree), hits(&tree));
-        Self { pixel, scene, tree, outline, hits, by, changed: BTreeSet::new(), selected: 0, selection_moved: true }
+        let story = Story::new(Arc::clone(&tree), Level::default(), Filter::default());
+        let hits = hits(&tree, story.index());
+        let plotted = Plotted { intervals: 0, signs: 0 };
+        Self { pixel, scene, tree, hits, by, changed: BTreeSet::new(), story, plotted, selection_moved: true }
+    }
+
+    /// The same, told at a level and with a filter.
+    #[must_use]
+    pub fn told_as(mut self, level: Level, filter: Filter) -> Self {
+        self.change(|story| {
+            story.set_level(level);
+            let matches = filter.matches(story.tree(), story.index());
+            story.set_filter(filter, matches);
+        });
+        self
+    }
+
+    /// How it is told: levels, rows, and where one stands.
+    #[must_use]
+    pub const fn story(&self) -> &Story {
+        &self.story
+    }
+
+    /// Changes how it is told, or where one stands.
+    pub(in crate::app) fn change<T>(&mut self, change: impl FnOnce(&mut Story) -> T) -> T {
+        let outcome = change(&mut self.story);
+        self.plotted = plotted(&self.story);
+        self.selection_moved = true;
+        outcome
     }
 
     /// The selected event: the step of the story at which all panels stand.
     #[must_use]
     pub fn selected(&self) -> EventId {
-        self.selected
+        self.story.selected()
     }
 
     /// Selects an event and shows its row.
     pub fn select(&mut self, id: EventId) {
-        if id < self.tree.end() {
-            self.outline.reveal(&self.tree, id);
-            self.selection_moved |= self.selected != id;
-            self.selected = id;
-        }
+        self.change(|story| story.select(id));
     }
 
     /// Moves the selection; stays where there is nothing to move to.
     pub fn step(&mut self, step: Step) {
-        if let Some(target) = step.target(&self.tree, self.selected) {
-            self.select(target);
-        }
+        self.change(|story| story.step(step));
     }
 
     /// Selects the event where the story gets interesting: the first closest hit, or the nothing that was seen.
     pub fn select_outcome(&mut self) {
-        let outcome = self.tree.events.iter().find(|e| matches!(e.what, What::Hit { .. } | What::Nothing { .. }));
-        if let Some(id) = outcome.map(|event| event.id) {
-            self.select(id);
-        }
+        self.change(Story::select_outcome);
     }
 
     /// The event whose intervals are plotted, and the one whose d(t) is: the selected one, or if that is a hit, the
     /// search that found it.
     #[must_use]
     pub fn plotted(&self) -> Plotted {
-        let as_selected = Plotted { intervals: self.selected, signs: self.selected };
-        let (What::Hit { object, leaf, .. } | What::Rejected { object, leaf, .. }) =
-            &self.tree.event(self.selected).what
-        else {
-            return as_selected;
-        };
-        let is_object =
-            |id: &EventId| matches!(&self.tree.event(*id).what, What::Object { name, .. } if name == object);
-        let Some(search) = (0..self.selected).rev().find(is_object) else { return as_selected };
-        let is_leaf = |id: &EventId| matches!(&self.tree.event(*id).what, What::Primitive { name, .. } if name == leaf);
-        let primitive = (search..self.tree.subtree_end(search)).find(is_leaf);
-        Plotted { intervals: search, signs: primitive.unwrap_or(search) }
+        self.plotted
     }
 
     /// Opens or folds a row; a selection that would vanish moves up to the row that stays.
     pub fn set_open(&mut self, id: EventId, open: bool) {
-        self.outline.set_open(id, open);
-        if self.outline.row_of(self.selected).is_none() {
-            self.selected = id;
-        }
+        let before = (self.selected(), self.selection_moved);
+        self.change(|story| story.set_open(id, open));
+        // Folding is no reason to scroll.
+        self.selection_moved = before.1 || before.0 != self.selected();
     }
 }
 
-fn hits(tree: &RayTree) -> Vec<HitMark> {
+fn plotted(story: &Story) -> Plotted {
+    let (tree, index, selected) = (story.tree(), story.index(), story.selected());
+    let as_selected = Plotted { intervals: selected, signs: selected };
+    let (What::Hit { object, leaf, .. } | What::Rejected { object, leaf, .. }) = &tree.event(selected).what else {
+        return as_selected;
+    };
+    let is_object = |id: &EventId| matches!(&tree.event(*id).what, What::Object { name, .. } if name == object);
+    // A ray looks for hits before it is hit, so its own events are enough.
+    let Some(search) = (index.scope(selected).event..selected).rev().find(is_object) else { return as_selected };
+    let is_leaf = |id: &EventId| matches!(&tree.event(*id).what, What::Primitive { name, .. } if name == leaf);
+    let primitive = (search..index.end(search)).find(is_leaf);
+    Plotted { intervals: search, signs: primitive.unwrap_or(search) }
+}
+
+fn hits(tree: &RayTree, index: &Index) -> Vec<HitMark> {
     let mark = |event: &crate::record::Event| match &event.what {
         What::Hit { point, .. } => {
-            let (kind, from) = ray_above(tree, event.id);
-            Some(HitMark { event: event.id, kind, from, point: DVec3::from_array(*point) })
+            let scope = index.scope(event.id);
+            let from = match &tree.event(scope.event).what {
+                What::Ray { origin, .. } => Some(DVec3::from_array(*origin)),
+                _ => None,
+            };
+            Some(HitMark { event: event.id, kind: scope.kind, from, point: DVec3::from_array(*point) })
         }
         _ => None,
     };
     tree.events.iter().filter_map(mark).collect()
-}
-
-/// The ray that an event belongs to. A camera ray's event lies beside its hit, not above it.
-fn ray_above(tree: &RayTree, id: EventId) -> (RayKind, Option<DVec3>) {
-    let spawned = tree.path(id).into_iter().rev().find_map(|above| match &tree.event(above).what {
-        What::Ray { ray, origin, .. } if *ray != RayKind::Camera => Some((*ray, Some(DVec3::from_array(*origin)))),
-        _ => None,
-    });
-    spawned.unwrap_or((RayKind::Camera, None))
 }
 
 #[cfg(test)]
@@ -174,17 +195,5 @@ mod tests {
         let recording = bowl();
         assert_eq!((recording.hits[0].kind, recording.hits[0].from), (RayKind::Camera, None));
         assert!(recording.hits.is_sorted_by_key(|hit| hit.event));
-    }
-
-    #[test]
-    fn a_selected_event_always_has_a_row() {
-        let mut recording = bowl();
-        for id in [recording.tree.end() - 1, 20, 0] {
-            recording.select(id);
-            assert!(recording.outline.row_of(id).is_some());
-        }
-        recording.select(20);
-        recording.set_open(0, false);
-        assert_eq!(recording.selected(), 0);
     }
 }

@@ -1,57 +1,116 @@
-//! The stepper: seven buttons, each with a picture, a word and a key.
+//! The toolbar of the story: moves and play with a picture and a word each, and below them how much is told and what is looked for.
 
+use super::icon::{Icon, draw};
+use super::stepping::Drawer;
+use crate::app::command::{Command, Commands, StepCommand};
 use crate::app::frame::theme::Palette;
+use crate::app::frame::words::{say, say_with};
 use crate::app::story::recording::Recording;
-use crate::app::story::stepper::Step;
+use crate::app::workbench::Workbench;
+use crate::story::{Kind, Level, SPEEDS, Step};
 use egui::{
-    Align2, Color32, FontId, Painter, Pos2, Rect, Response, Role, Sense, Shape, Stroke, StrokeKind, Ui, WidgetInfo,
-    pos2, vec2,
+    Align2, Button, Context, FontId, Response, Role, ScrollArea, Sense, Stroke, StrokeKind, Ui, WidgetInfo, vec2,
 };
 
-/// Height of the toolbar, in points.
-pub const HEIGHT: f32 = 50.0;
+/// Height of a button with a picture, in points.
+const HEIGHT: f32 = 40.0;
+/// Width from which there is room for a word below the picture, in points.
+const WORDS: f32 = 42.0;
+/// Gap between buttons, in points.
+const GAP: f32 = 3.0;
 
-/// Shows the buttons.
-pub fn ui(ui: &mut Ui, recording: Option<&mut Recording>) {
-    let moves = Step::ALL.map(|step| {
-        let target = recording.as_ref().and_then(|recording| step.target(&recording.tree, recording.selected()));
-        (step, target)
+/// The buttons of the upper line.
+const BUTTONS: [StepCommand; 10] = [
+    StepCommand::Move(Step::First),
+    StepCommand::Move(Step::Back),
+    StepCommand::Move(Step::Next),
+    StepCommand::Move(Step::Into),
+    StepCommand::Move(Step::Over),
+    StepCommand::Move(Step::Out),
+    StepCommand::Move(Step::Last),
+    StepCommand::Play,
+    StepCommand::Move(Step::PreviousStop),
+    StepCommand::Move(Step::NextStop),
+];
+
+/// Shows both lines, and does what is chosen.
+pub fn ui(ui: &mut Ui, workbench: &mut Workbench) {
+    let mut chosen = moves(ui, workbench);
+    ui.add_space(2.0);
+    let mut kind = None;
+    ui.horizontal_wrapped(|ui| {
+        ui.spacing_mut().item_spacing = vec2(GAP, GAP);
+        for level in Level::ALL {
+            chosen = toggle(ui, workbench, StepCommand::Level(level), None).or(chosen);
+        }
+        ui.add_space(6.0);
+        for (drawer, command) in [
+            (Drawer::Filter, StepCommand::Filter),
+            (Drawer::Breakpoints, StepCommand::Breakpoints),
+            (Drawer::LeftOut, StepCommand::LeftOut),
+        ] {
+            chosen = toggle(ui, workbench, command, Some(drawer)).or(chosen);
+        }
+        kind = kinds(ui, workbench);
+        chosen = toggle(ui, workbench, StepCommand::Jump, Some(Drawer::Jump)).or(chosen);
+        if let Some(speed) = speeds(ui, workbench) {
+            workbench.stepping.player.set_speed(speed);
+        }
     });
-    let chosen = buttons(ui, &moves);
-    if let (Some(recording), Some(step)) = (recording, chosen) {
-        recording.step(step);
+    if let Some(command) = chosen {
+        workbench.run(Command::Step(command));
+    }
+    if let (Some(kind), Some(recording)) = (kind, &mut workbench.recording) {
+        let target =
+            recording.story().of_kind(kind, true).or_else(|| recording.story().shown().steps_of(kind).first().copied());
+        target.into_iter().for_each(|event| recording.select(event));
     }
 }
 
-/// `step 12 of 148`, counted from 1, and by which method, if not by the scene's own.
+/// `step 3 of 9 · event 12 of 148`, counted from 1, and by which method, if not by the scene's own.
 #[must_use]
-pub fn position(recording: Option<&Recording>) -> String {
+pub fn position(ctx: &Context, recording: Option<&Recording>, is_recording: bool) -> String {
+    if is_recording {
+        return say(ctx, "step-recording");
+    }
     let Some(recording) = recording else { return String::new() };
-    let by = recording.by.map_or_else(String::new, |method| format!("by {} · ", method.name()));
-    format!("{by}step {} of {}", recording.selected() + 1, recording.tree.end())
+    let place = recording.story().place();
+    let by =
+        |method: crate::shape::Method| format!("{} · ", say_with(ctx, "step-by", &[("method", method.name().into())]));
+    let (event, events) = (recording.selected() + 1, recording.tree.end());
+    let word = if place.is_step { "step-place" } else { "step-place-between" };
+    let step = say_with(ctx, word, &[("step", place.step.into()), ("steps", place.steps.into())]);
+    let mut text = recording.by.map_or_else(String::new, by) + &step;
+    if place.steps != recording.tree.events.len() {
+        text += " · ";
+        text += &say_with(ctx, "step-event", &[("event", event.into()), ("events", events.into())]);
+    }
+    text
 }
 
-fn buttons(ui: &mut Ui, moves: &[(Step, Option<u32>)]) -> Option<Step> {
-    let width = ((ui.available_width() - 6.0 * 4.0) / 7.0).min(64.0);
-    ui.spacing_mut().item_spacing.x = 4.0;
+fn moves(ui: &mut Ui, workbench: &Workbench) -> Option<StepCommand> {
+    let count = BUTTONS.len() as f32;
+    let width = ((ui.available_width() - (count - 1.0) * GAP) / count).clamp(20.0, 64.0);
     let mut chosen = None;
     ui.horizontal(|ui| {
-        for &(step, target) in moves {
-            let response = ui.add_enabled_ui(target.is_some(), |ui| button(ui, step, width)).inner;
+        ui.spacing_mut().item_spacing.x = GAP;
+        for command in BUTTONS {
+            let possible = command.is_possible(workbench);
+            let response = ui.add_enabled_ui(possible, |ui| button(ui, command, workbench, width)).inner;
             if response.clicked() {
-                chosen = Some(step);
+                chosen = Some(command);
             }
         }
     });
     chosen
 }
 
-fn button(ui: &mut Ui, step: Step, width: f32) -> Response {
-    let (rect, response) = ui.allocate_exact_size(vec2(width, HEIGHT - 8.0), Sense::click());
+fn button(ui: &mut Ui, command: StepCommand, workbench: &Workbench, width: f32) -> Response {
+    let (rect, response) = ui.allocate_exact_size(vec2(width, HEIGHT), Sense::click());
     let enabled = ui.is_enabled();
-    response.widget_info(|| WidgetInfo::labeled(Role::Button, enabled, step.name()));
-    let tip = format!("{} Key: {}", step.meaning(), key_name(step));
-    let response = response.on_hover_text(&tip).on_disabled_hover_text(tip);
+    let is_playing = command == StepCommand::Play && workbench.stepping.is_playing();
+    let name = say(ui.ctx(), if is_playing { "step-pause" } else { command.word() });
+    response.widget_info(|| WidgetInfo::labeled(Role::Button, enabled, &name));
     let palette = Palette::current(ui.ctx());
     let style = ui.style().interact(&response);
     let painter = ui.painter();
@@ -59,68 +118,97 @@ fn button(ui: &mut Ui, step: Step, width: f32) -> Response {
     if response.has_focus() {
         painter.rect_stroke(rect.shrink(1.0), 4.0, Stroke::new(1.5, palette.accent), StrokeKind::Inside);
     }
-    draw_icon(painter, step, pos2(rect.center().x, rect.top() + 14.0), palette.accent);
-    let word = pos2(rect.center().x, rect.bottom() - 11.0);
-    painter.text(word, Align2::CENTER_CENTER, step.name(), FontId::proportional(12.0), palette.text);
-    response
-}
-
-fn key_name(step: Step) -> &'static str {
-    step.key().name()
-}
-
-/// Pictures in the manner of a debugger's, within 16 × 14 points about `c`.
-fn draw_icon(painter: &Painter, step: Step, c: Pos2, colour: Color32) {
-    let line = Stroke::new(1.8, colour);
-    let triangle = |at: Pos2, right: f32| {
-        let points = vec![at + vec2(-4.0 * right, -5.5), at + vec2(5.0 * right, 0.0), at + vec2(-4.0 * right, 5.5)];
-        painter.add(Shape::convex_polygon(points, colour, Stroke::NONE));
+    let icon = match command {
+        StepCommand::Move(step) => Icon::Move(step),
+        _ if is_playing => Icon::Pause,
+        _ => Icon::Play,
     };
-    let bar = |x: f32| painter.line_segment([c + vec2(x, -5.5), c + vec2(x, 5.5)], line);
-    let dot = |at: Pos2| painter.circle_filled(at, 2.3, colour);
-    match step {
-        Step::First => {
-            bar(-5.5);
-            triangle(c + vec2(1.5, 0.0), -1.0);
-        }
-        Step::Back => triangle(c, -1.0),
-        Step::Next => triangle(c, 1.0),
-        Step::Last => {
-            bar(5.5);
-            triangle(c - vec2(1.5, 0.0), 1.0);
-        }
-        Step::Into => {
-            arrow(painter, c + vec2(0.0, -7.0), c + vec2(0.0, 2.0), line);
-            dot(c + vec2(0.0, 5.5));
-        }
-        Step::Out => {
-            arrow(painter, c + vec2(0.0, 2.0), c + vec2(0.0, -7.0), line);
-            dot(c + vec2(0.0, 5.5));
-        }
-        Step::Over => {
-            let arc: Vec<Pos2> = (0..=12)
-                .map(|i| std::f32::consts::PI * (1.0 - i as f32 / 12.0))
-                .map(|angle| c + vec2(7.0 * angle.cos(), 1.0 - 7.0 * angle.sin()))
-                .collect();
-            painter.add(Shape::line(arc, line));
-            let tip = c + vec2(7.0, 3.5);
-            let head = vec![tip + vec2(-4.0, -4.0), tip + vec2(4.0, -4.0), tip];
-            painter.add(Shape::convex_polygon(head, colour, Stroke::NONE));
-            dot(c + vec2(0.0, 5.5));
-        }
+    // The words of stops are sentences; their pictures stand alone.
+    let is_short = !matches!(command, StepCommand::Move(Step::PreviousStop | Step::NextStop));
+    let word = (width >= WORDS && is_short).then(|| name.clone());
+    let middle = if word.is_some() { rect.top() + 13.0 } else { rect.center().y };
+    draw(painter, icon, egui::pos2(rect.center().x, middle), palette.accent);
+    if let Some(word) = word {
+        let place = egui::pos2(rect.center().x, rect.bottom() - 10.0);
+        painter.with_clip_rect(rect).text(place, Align2::CENTER_CENTER, word, FontId::proportional(11.5), palette.text);
+    }
+    let tip = |ui: &mut Ui| {
+        ui.label(tip(ui.ctx(), command, &name));
+    };
+    response.on_hover_ui(tip).on_disabled_hover_ui(tip)
+}
+
+fn tip(ctx: &Context, command: StepCommand, name: &str) -> String {
+    let key = command.key().map_or_else(String::new, |key| format!(" ({})", ctx.format_shortcut(&key)));
+    format!("{name}{key}\n{}", say(ctx, &format!("{}-about", command.word())))
+}
+
+/// A button that is switched on and off; a drawer's says how much is in it.
+fn toggle(ui: &mut Ui, workbench: &Workbench, command: StepCommand, drawer: Option<Drawer>) -> Option<StepCommand> {
+    let name = say(ui.ctx(), command.word());
+    let is_on = match drawer {
+        Some(drawer) => workbench.stepping.drawer == Some(drawer),
+        None => command.is_on(workbench) == Some(true),
+    };
+    let text = match drawer.map_or(0, |drawer| amount(workbench, drawer)) {
+        0 => name.clone(),
+        amount => format!("{name} {amount}"),
+    };
+    let response = ui.add_enabled(command.is_possible(workbench), Button::new(text).selected(is_on));
+    let enabled = response.enabled();
+    response.widget_info(|| WidgetInfo::selected(Role::Button, enabled, is_on, &name));
+    let response = response.on_hover_ui(|ui| {
+        ui.label(tip(ui.ctx(), command, &name));
+    });
+    response.clicked().then_some(command)
+}
+
+/// How much a drawer holds that has an effect.
+fn amount(workbench: &Workbench, drawer: Drawer) -> usize {
+    let story = workbench.recording.as_ref().map(Recording::story);
+    match drawer {
+        Drawer::Filter if !workbench.stepping.filter.is_empty() => story.map_or(0, |story| story.shown().steps().len()),
+        Drawer::Breakpoints => story.map_or(0, |story| story.stops().len()),
+        Drawer::LeftOut => story.map_or(0, |story| story.index().skips(0, story.index().len()) as usize),
+        Drawer::Filter | Drawer::Jump => 0,
     }
 }
 
-fn arrow(painter: &Painter, from: Pos2, to: Pos2, line: Stroke) {
-    painter.line_segment([from, to], line);
-    let back = (from - to).normalized() * 4.5;
-    let side = vec2(-back.y, back.x);
-    painter.line_segment([to, to + back + side], line);
-    painter.line_segment([to, to + back - side], line);
+/// The menu of kinds that there are at this level; returns the one that was chosen.
+fn kinds(ui: &mut Ui, workbench: &Workbench) -> Option<Kind> {
+    let story = workbench.recording.as_ref()?.story();
+    let mut chosen = None;
+    let menu = ui.menu_button(say(ui.ctx(), "step-kind"), |ui| {
+        ScrollArea::vertical().max_height(400.0).show(ui, |ui| {
+            for &kind in Kind::ALL {
+                let count = story.shown().steps_of(kind).len();
+                if count > 0 && ui.button(format!("{} · {count}", kind.name())).clicked() {
+                    chosen = Some(kind);
+                    ui.close();
+                }
+            }
+        });
+    });
+    menu.response.on_hover_ui(|ui| {
+        ui.label(say(ui.ctx(), "step-kind-about"));
+    });
+    chosen
 }
 
-/// The room that the toolbar takes of `rect`, and what is left below it.
-#[must_use]
-pub fn cut(rect: Rect) -> (Rect, Rect) {
-    rect.split_top_bottom_at_y(rect.top() + HEIGHT)
+fn speeds(ui: &mut Ui, workbench: &Workbench) -> Option<f64> {
+    let current = workbench.stepping.player.speed();
+    let name = |ctx: &Context, speed: f64| say_with(ctx, "step-speed", &[("speed", (&speed.to_string()).into())]);
+    let mut chosen = None;
+    let menu = ui.menu_button(name(ui.ctx(), current), |ui| {
+        for speed in SPEEDS {
+            if ui.selectable_label(speed == current, name(ui.ctx(), speed)).clicked() {
+                chosen = Some(speed);
+                ui.close();
+            }
+        }
+    });
+    menu.response.on_hover_ui(|ui| {
+        ui.label(say(ui.ctx(), "step-speed-about"));
+    });
+    chosen
 }

@@ -1,0 +1,67 @@
+//! The table of keys: every command that has one, by area, and the keys within panels.
+
+use super::Outcome;
+use crate::app::command::Command;
+use crate::app::frame::theme::bold;
+use crate::app::frame::words::say;
+use egui::{Grid, Id, Modal, RichText, ScrollArea, Ui};
+
+/// Width of the table, in points.
+const WIDTH: f32 = 620.0;
+
+/// Keys that mean something within a panel: the panel, the keys as they are written, what they do.
+const WITHIN: &[(&str, &str)] = &[
+    ("keys-arrows", "keys-picture-arrows"),
+    ("keys-shift-arrows", "keys-picture-shift-arrows"),
+    ("keys-up-down", "keys-story-up-down"),
+    ("keys-left-right", "keys-story-left-right"),
+    ("keys-tab", "keys-everywhere-tab"),
+    ("keys-escape", "keys-everywhere-escape"),
+];
+
+/// Shows the table.
+pub fn ui(ui: &Ui) -> Outcome {
+    let mut closed = false;
+    let modal = Modal::new(Id::unique("keys")).show(ui.ctx(), |ui| {
+        let room = ui.ctx().content_rect();
+        ui.set_width(WIDTH.min(room.width() - 60.0));
+        ui.horizontal(|ui| {
+            ui.label(RichText::new(say(ui.ctx(), "help-keys")).size(17.0).family(bold()));
+            ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+                closed = ui.button(say(ui.ctx(), "close")).clicked();
+            });
+        });
+        ScrollArea::vertical().max_height(room.height() - 120.0).auto_shrink([false, true]).show(ui, table);
+    });
+    if closed || modal.should_close() { Outcome::Close } else { Outcome::Stay }
+}
+
+fn table(ui: &mut Ui) {
+    for (menu, commands) in Command::areas() {
+        let keyed: Vec<_> = commands.into_iter().filter_map(|command| Some((command, command.key()?))).collect();
+        if keyed.is_empty() {
+            continue;
+        }
+        heading(ui, menu);
+        Grid::new(menu).num_columns(2).striped(true).min_col_width(130.0).show(ui, |ui| {
+            for (command, key) in keyed {
+                ui.label(RichText::new(ui.ctx().format_shortcut(&key)).monospace());
+                ui.label(say(ui.ctx(), &format!("{}-about", command.word())));
+                ui.end_row();
+            }
+        });
+    }
+    heading(ui, "keys-within");
+    Grid::new("keys within panels").num_columns(2).striped(true).min_col_width(130.0).show(ui, |ui| {
+        for (keys, meaning) in WITHIN {
+            ui.label(RichText::new(say(ui.ctx(), keys)).monospace());
+            ui.label(say(ui.ctx(), meaning));
+            ui.end_row();
+        }
+    });
+}
+
+fn heading(ui: &mut Ui, word: &str) {
+    ui.add_space(8.0);
+    ui.label(RichText::new(say(ui.ctx(), word)).family(bold()));
+}

@@ -1,0 +1,108 @@
+//! The list of breakpoints, and the search for the next pixel that stops at one.
+
+use crate::app::frame::theme::Palette;
+use crate::app::frame::words::{say, say_with};
+use crate::app::workbench::Workbench;
+use crate::story::Breakpoint;
+use egui::{Key, RichText, ScrollArea, TextEdit, Ui};
+
+/// Height above which the list scrolls, in points.
+const HEIGHT: f32 = 150.0;
+
+/// What was done with the list.
+enum Change {
+    Switch(usize, bool),
+    Remove(usize),
+}
+
+/// Shows the list, the field for a new one, and the search.
+pub fn ui(ui: &mut Ui, workbench: &mut Workbench) {
+    let mut change = None;
+    ScrollArea::vertical().id_salt("breakpoints").max_height(HEIGHT).show(ui, |ui| {
+        for (place, breakpoint) in workbench.stepping.breakpoints.list().iter().enumerate() {
+            change = line(ui, place, breakpoint).or(change.take());
+        }
+    });
+    match change {
+        Some(Change::Switch(place, on)) => workbench.change_breakpoints(|list, _| list.set_enabled(place, on)),
+        Some(Change::Remove(place)) => workbench.change_breakpoints(|list, _| list.remove(place)),
+        None => {}
+    }
+    new(ui, workbench);
+    search(ui, workbench);
+}
+
+fn line(ui: &mut Ui, place: usize, breakpoint: &Breakpoint) -> Option<Change> {
+    let question = breakpoint.query.to_string();
+    let name = breakpoint.title.map_or_else(|| question.clone(), str::to_owned);
+    let mut change = None;
+    ui.horizontal(|ui| {
+        let mut enabled = breakpoint.enabled;
+        let tick = ui.checkbox(&mut enabled, &name).on_hover_text(&question);
+        if tick.changed() {
+            change = Some(Change::Switch(place, enabled));
+        }
+        let hits = say_with(ui.ctx(), "step-breakpoint-hits", &[("count", breakpoint.hits.len().into())]);
+        ui.label(RichText::new(hits).small().weak());
+        let remove = say_with(ui.ctx(), "step-breakpoint-remove", &[("name", (&name).into())]);
+        let button = ui.small_button("×");
+        button.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, &remove));
+        if button.on_hover_text(remove).clicked() {
+            change = Some(Change::Remove(place));
+        }
+    });
+    change
+}
+
+fn new(ui: &mut Ui, workbench: &mut Workbench) {
+    let mut add = false;
+    ui.horizontal(|ui| {
+        let stepping = &mut workbench.stepping;
+        let label = ui.label(say(ui.ctx(), "step-breakpoint-new"));
+        let width = (ui.available_width() - 90.0).max(60.0);
+        let hint = say(ui.ctx(), "step-breakpoint-hint");
+        let field = TextEdit::singleline(&mut stepping.question).desired_width(width).hint_text(hint);
+        let field = ui.add(field).labelled_by(label.id);
+        if std::mem::take(&mut stepping.wants_focus) {
+            field.request_focus();
+        }
+        let entered = field.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
+        add = entered | ui.button(say(ui.ctx(), "step-breakpoint-add")).clicked();
+    });
+    if add && !workbench.stepping.question.trim().is_empty() {
+        let question = workbench.stepping.question.clone();
+        let outcome = workbench.change_breakpoints(|list, tree| list.add(&question, tree));
+        let stepping = &mut workbench.stepping;
+        match outcome {
+            Ok(()) => {
+                stepping.question.clear();
+                stepping.question_problem = None;
+            }
+            Err(error) => stepping.question_problem = Some(error.to_string()),
+        }
+    }
+    if let Some(problem) = &workbench.stepping.question_problem {
+        ui.label(RichText::new(problem).color(Palette::current(ui.ctx()).problem));
+    }
+}
+
+fn search(ui: &mut Ui, workbench: &mut Workbench) {
+    let (mut begin, mut cancel) = (false, false);
+    ui.horizontal_wrapped(|ui| match workbench.stepping.pixels_searched() {
+        None => {
+            let button = ui.button(say(ui.ctx(), "step-until"));
+            begin = button.on_hover_text(say(ui.ctx(), "step-until-about")).clicked();
+        }
+        Some(count) => {
+            ui.spinner();
+            ui.label(say_with(ui.ctx(), "step-until-searching", &[("count", count.into())]));
+            cancel = ui.button(say(ui.ctx(), "step-until-cancel")).clicked();
+        }
+    });
+    if begin {
+        workbench.record_until();
+    }
+    if cancel {
+        workbench.stepping.cancel_search();
+    }
+}
