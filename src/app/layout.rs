@@ -19,7 +19,8 @@ impl Workbench {
         self.take_files(&ctx);
         self.advance_story(&ctx);
         // What lies over the workbench has the keys.
-        let command = if matches!(self.help, Help::None) { command::pressed(&ctx, self) } else { None };
+        let is_free = matches!(self.help, Help::None) && !self.is_asking();
+        let command = if is_free { command::pressed(&ctx, self) } else { None };
         if let Some(command) = command {
             command.run(self, &ctx);
         }

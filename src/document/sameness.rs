@@ -16,7 +16,8 @@ type Step = (String, usize);
 fn label(event: &Event) -> String {
     let whose = match &event.what {
         What::Object { name, .. } | What::Primitive { name, .. } => name.as_str(),
-        What::Hit { object, .. } | What::Rejected { object, .. } => object.as_str(),
+        // Of what is rejected there may be many; a closest hit stays the closest hit, whatever was hit before.
+        What::Rejected { object, .. } => object.as_str(),
         _ => "",
     };
     format!("{:?} {whose}", kind(event))

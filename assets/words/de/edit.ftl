@@ -47,7 +47,7 @@ edit-errors = { $count ->
 }
 edit-error-at = Zeile { $line }, Spalte { $column }: { $message }
 edit-saved = gesichert
-edit-unsaved = ● nicht gesichert
+edit-unsaved = • nicht gesichert
 edit-changed = geändert
 edit-stale = veraltet: von einem älteren Text
 edit-stale-about = Bild und Geschichte sind noch die des Textes vor dem Fehler.

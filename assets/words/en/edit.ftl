@@ -47,7 +47,7 @@ edit-errors = { $count ->
 }
 edit-error-at = Line { $line }, column { $column }: { $message }
 edit-saved = saved
-edit-unsaved = ● not saved
+edit-unsaved = • not saved
 edit-changed = changed
 edit-stale = stale: of an older text
 edit-stale-about = The picture and the story are still those of the text before the error.

@@ -9,8 +9,7 @@ use crate::app::edit::properties::Properties;
 use crate::app::edit::recovery::Recovery;
 use crate::app::edit::saving::Saving;
 use crate::document::{
-    Cause, Document, Flaw, Place, Recovered, Selection, Settings, Structure, Target, flaws, object_and_leaf,
-    place_of_leaf,
+    Cause, Document, Flaw, Place, Recovered, Selection, Structure, Target, flaws, object_and_leaf, place_of_leaf,
 };
 use crate::record::What;
 use crate::scene::{Diagnostics, Scene};
@@ -91,7 +90,7 @@ impl Editing {
     }
 
     /// Changes values of the text, everything else staying as it is; returns whether anything changed.
-    pub fn set(&mut self, settings: &Settings, cause: &Cause) -> bool {
+    pub fn set(&mut self, settings: &[(Place, Value)], cause: &Cause) -> bool {
         let mut changed = false;
         for (place, value) in settings {
             changed |= self.restructure(cause.clone(), |structure| structure.set(place, value));

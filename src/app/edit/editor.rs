@@ -11,8 +11,8 @@ use egui::scroll_area::ScrollAreaOutput;
 use egui::text::{CCursor, CCursorRange, CharIndex, LayoutJob};
 use egui::text_edit::{TextEditOutput, TextEditState};
 use egui::{
-    Align2, Context, Event, FontId, Galley, Id, Rect, RichText, ScrollArea, TextBuffer, TextEdit, TextStyle, Ui,
-    UiBuilder, pos2, vec2,
+    Align2, Context, Event, EventFilter, FontId, Galley, Id, Rect, RichText, ScrollArea, TextBuffer, TextEdit,
+    TextStyle, Ui, UiBuilder, Vec2, pos2, vec2,
 };
 use std::sync::Arc;
 
@@ -71,11 +71,15 @@ impl Editing {
     /// Shows the pane; returns whether the cursor was moved by a person.
     pub fn editor_ui(&mut self, ui: &mut Ui) -> bool {
         self.analysis.follow(&self.document);
-        if let Some(selection) = self.editor.finder.ui(ui, &self.document) {
+        let mut rect = ui.available_rect_before_wrap();
+        let mut bar = ui.new_child(UiBuilder::new().id_salt("find").max_rect(rect.shrink2(vec2(8.0, 4.0))));
+        if let Some(selection) = self.editor.finder.ui(&mut bar, &self.document) {
             self.document.select(selection);
             self.editor.show_cursor();
         }
-        let rect = ui.available_rect_before_wrap();
+        if self.editor.finder.is_open {
+            rect.min.y = bar.min_rect().bottom() + 4.0;
+        }
         let (above, foot) = rect.split_top_bottom_at_y((rect.bottom() - FOOT).max(rect.top()));
         let mut child = ui.new_child(UiBuilder::new().id_salt("text").max_rect(above));
         child.shrink_clip_rect(above);
@@ -101,11 +105,12 @@ impl Editing {
         if let Some(offset) = self.editor.offset.take() {
             area = area.vertical_scroll_offset(offset);
         }
+        let room = ui.available_size() - vec2(numbers + 6.0, 6.0);
         let output = area.show(ui, |ui| {
             ui.horizontal_top(|ui| {
                 ui.spacing_mut().item_spacing.x = 0.0;
                 ui.add_space(numbers);
-                let output = show_text(ui, &mut text, job, self.editor.popup.filter());
+                let output = show_text(ui, &mut text, job, room, self.editor.popup.filter());
                 self.line_numbers(ui, &output, &font);
                 output
             })
@@ -153,7 +158,8 @@ impl Editing {
 
     /// Takes over what was typed and where the cursor went.
     fn pull(&mut self, ctx: &Context, output: &TextEditOutput, text: &str) {
-        let Some(range) = output.cursor_range.or_else(|| output.state.cursor.char_range()) else { return };
+        // Without the focus the text field knows no cursor, and the document keeps its own.
+        let Some(range) = output.cursor_range.filter(|_| Editor::has_focus(ctx)) else { return };
         let offset = |cursor: CCursor| text.char_indices().nth(cursor.index.0).map_or(text.len(), |(at, _)| at);
         let selection = Selection { anchor: offset(range.secondary), head: offset(range.primary) };
         if text == self.document.text() {
@@ -262,7 +268,7 @@ impl Editing {
     }
 }
 
-fn show_text(ui: &mut Ui, text: &mut String, job: LayoutJob, filter: egui::EventFilter) -> TextEditOutput {
+fn show_text(ui: &mut Ui, text: &mut String, job: LayoutJob, room: Vec2, filter: EventFilter) -> TextEditOutput {
     let font = TextStyle::Monospace.resolve(ui.style());
     let mut layouter = |ui: &Ui, buffer: &dyn TextBuffer, _width: f32| -> Arc<Galley> {
         // What is typed in this frame is not in the job yet.
@@ -273,13 +279,12 @@ fn show_text(ui: &mut Ui, text: &mut String, job: LayoutJob, filter: egui::Event
         };
         ui.fonts_mut(|fonts| fonts.layout_job(job))
     };
-    let size = ui.available_size();
     let output = TextEdit::multiline(text)
         .id(field())
         .code_editor()
         .frame(egui::Frame::NONE)
-        .desired_width(f32::INFINITY)
-        .min_size(size)
+        .desired_width(room.x)
+        .min_size(room)
         .event_filter(filter)
         .layouter(&mut layouter)
         .show(ui);

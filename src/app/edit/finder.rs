@@ -47,9 +47,11 @@ impl Finder {
         }
         self.search(document);
         let mut step = None;
-        ui.horizontal(|ui| {
+        ui.horizontal_wrapped(|ui| {
+            ui.spacing_mut().item_spacing.x = 6.0;
+            ui.add_space(2.0);
             let label = ui.label(say(ui.ctx(), "edit-find"));
-            let edit = TextEdit::singleline(&mut self.wanted).id(field()).desired_width(150.0);
+            let edit = TextEdit::singleline(&mut self.wanted).id(field()).desired_width(130.0);
             let response = ui.add(edit).labelled_by(label.id);
             if std::mem::take(&mut self.wants_focus) {
                 response.request_focus();
@@ -67,7 +69,9 @@ impl Finder {
             if ui.button(say(ui.ctx(), "edit-find-next")).clicked() {
                 step = Some(true);
             }
-            ui.label(say_with(ui.ctx(), "edit-found", &[("count", self.found.len().into())]));
+            if !self.wanted.is_empty() {
+                ui.label(say_with(ui.ctx(), "edit-found", &[("count", self.found.len().into())]));
+            }
             if ui.button(say(ui.ctx(), "edit-close-find")).clicked() {
                 self.is_open = false;
             }

@@ -9,7 +9,7 @@ use glam::DVec3;
 const EDGES: [[usize; 2]; 12] =
     [[0, 1], [2, 3], [4, 5], [6, 7], [0, 2], [1, 3], [4, 6], [5, 7], [0, 4], [1, 5], [2, 6], [3, 7]];
 
-/// Draws the edges of a solid's box, with corners as dashes so that it is no part of the scene. A solid without bounds has none.
+/// Draws the edges of a solid's box, dashed, so that they are seen to be no part of the scene. A solid without bounds has none.
 pub fn draw_box(painter: &Painter, scene: &Scene, place: &Placement, low: DVec3, high: DVec3) {
     if !(low.is_finite() && high.is_finite()) {
         return;

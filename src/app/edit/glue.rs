@@ -88,14 +88,20 @@ impl Workbench {
             }
             return;
         }
-        if self.editing.document.is_dirty() {
-            // One edit at a time: what is left is offered when this one is saved, or at the next start.
+        if !self.is_asking() {
             return;
         }
         let choice = self.editing.recovery.as_ref().and_then(Recovery::offer).map(|offer| dialog::offer(ctx, offer));
         if let Some(Some(choice)) = choice {
             self.settle_offer(ctx, choice);
         }
+    }
+
+    /// Whether a question has to be answered before anything else. One edit at a time is offered back: what is left is offered when
+    /// that one is saved, or at the next start.
+    pub(in crate::app) fn is_asking(&self) -> bool {
+        let has_offer = self.editing.recovery.as_ref().is_some_and(|recovery| recovery.offer().is_some());
+        self.editing.guard.is_some() || (has_offer && !self.editing.document.is_dirty())
     }
 
     fn settle(&mut self, ctx: &Context, then: Then, answer: Answer) {

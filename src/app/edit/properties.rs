@@ -112,7 +112,7 @@ impl Editing {
             match wish {
                 Wish::Set(place, value, cause) => {
                     let cause = Cause::part_of(cause, place.to_string());
-                    self.set(&vec![(place, value)], &cause);
+                    self.set(&[(place, value)], &cause);
                 }
                 Wish::Insert(list, index, value, cause) => {
                     self.restructure(Cause::new(cause), |structure| structure.insert_item(&list, index, &value));

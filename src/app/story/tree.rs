@@ -150,7 +150,7 @@ fn show_row(ui: &mut Ui, recording: &Recording, id: EventId) -> Option<Asked> {
     let response = ui.interact(rect, ui.scope_id().with(("row", id)), Sense::click());
     let mut line = Line::of(ui.ctx(), recording.story(), id);
     if recording.changed.contains(&id) {
-        line.row.numbers = format!("● {} {}", say(ui.ctx(), "edit-changed"), line.row.numbers);
+        line.row.numbers = format!("• {} {}", say(ui.ctx(), "edit-changed"), line.row.numbers);
     }
     name_row(ui, &response, &line);
 
