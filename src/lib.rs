@@ -11,6 +11,7 @@ pub mod accuracy;
 #[cfg(feature = "workbench")]
 pub mod app;
 pub mod cli;
+pub mod compare;
 pub mod cpu_time;
 pub mod csg;
 pub mod document;
@@ -25,6 +26,7 @@ pub mod record;
 pub mod sample;
 pub mod scene;
 pub mod shape;
+pub mod share;
 pub mod story;
 pub mod texture;
 pub mod trace;

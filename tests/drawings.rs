@@ -57,6 +57,32 @@ fn a_drawing_of_what_is_not_there_is_refused_with_the_reason() {
 }
 
 #[test]
+fn a_view_is_asked_for_by_either_of_its_two_options_and_of_an_event() {
+    assert_eq!(svg("csg/bowl", &["--view", "signs"]), svg("csg/bowl", &["--drawing", "signs"]));
+    let root = svg("csg/bowl", &["--view", "side", "--event", "0"]);
+    assert_ne!(root, svg("csg/bowl", &["--view", "side"]));
+    let (message, code) = complaint(&["csg/bowl", "--format", "svg", "--event", "4000000"]);
+    assert_eq!(code, Some(2));
+    assert!(message.contains("there is no event 4000000"), "{message}");
+}
+
+#[test]
+fn options_that_mean_nothing_for_a_format_are_refused() {
+    for (arguments, told) in [
+        (&["--format", "svg", "--view", "side,signs"][..], "--format pdf"),
+        (&["--format", "svg", "--level", "story"], "which steps"),
+        (&["--format", "slides", "--seconds", "2"], "--format gif"),
+        (&["--format", "slides", "--event", "3"], "svg, png, pdf or link"),
+        (&["--format", "gif", "--seconds", "0"], "0.05 to 30"),
+        (&["--format", "svg", "--view", "sideways"], "possible values: side"),
+    ] {
+        let (message, code) = complaint(&[&["csg/bowl"], arguments].concat());
+        assert_eq!(code, Some(2), "{arguments:?}");
+        assert!(message.contains(told), "{arguments:?}: {message}");
+    }
+}
+
+#[test]
 fn a_drawing_needs_a_format_that_can_show_it() {
     for format in ["text", "json"] {
         let (message, code) = complaint(&["csg/bowl", "--format", format, "--drawing", "texture"]);

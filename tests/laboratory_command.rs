@@ -124,7 +124,7 @@ fn what_is_wrong_with_the_arguments_is_said() {
     for (arguments, expected) in [
         (&["--budget", "soon"][..], "expected a time above 0"),
         (&["--for-error", "7"][..], "expected an error from 0 to 1"),
-        (&["--plot", "plot.pdf"][..], ".svg or .png"),
+        (&["--plot", "plot.eps"][..], ".svg, .png or .pdf"),
         (&["--knob", "zoom"][..], "shortcuts"),
         (&["--profile", "profile.json"][..], "--for-time"),
         (&["--resume", "missing.json"][..], "missing.json cannot be resumed: no such file"),

@@ -4,3 +4,5 @@
 mod answers;
 #[path = "query/laws.rs"]
 mod laws;
+#[path = "query/pictures.rs"]
+mod pictures;

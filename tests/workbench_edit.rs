@@ -243,6 +243,23 @@ fn keys_move_what_is_chosen_while_the_picture_has_the_focus() {
 }
 
 #[test]
+fn another_shape_comes_with_its_own_parameters_and_one_undo_takes_it_back() {
+    let mut bench = open_editor("primitives/torus");
+    let before = text(&bench);
+    put_cursor(&mut bench, "\"torus\"", false);
+    reveal(&mut bench, Pane::Properties);
+    bench.get_by_role_and_label(Role::ComboBox, "shape").click();
+    settle(&mut bench);
+    bench.get_by_label("superellipsoid").click();
+    settle(&mut bench);
+    follow(&mut bench);
+    let after = text(&bench);
+    assert!(after.contains("\"superellipsoid\"") && after.contains("\"n\": ") && !after.contains("\"d\":"), "{after}");
+    run(&mut bench, rayscope::app::Command::Edit(EditCommand::Undo));
+    assert_eq!(text(&bench), before);
+}
+
+#[test]
 fn words_are_found_and_gone_through() {
     let mut bench = open_editor("hello/sphere");
     bench.key_press_modifiers(Modifiers::COMMAND, Key::F);

@@ -18,6 +18,7 @@ impl Workbench {
         self.settings.apply(&ctx, self.dock.preset().magnification());
         self.take_files(&ctx);
         self.advance_story(&ctx);
+        self.arrive();
         // What lies over the workbench has the keys.
         let is_free = matches!(self.help, Help::None) && !self.is_asking();
         let command = if is_free { command::pressed(&ctx, self) } else { None };
@@ -32,6 +33,7 @@ impl Workbench {
         let rest = self.messages(ui, rest.shrink(MARGIN));
         ui.scope_builder(UiBuilder::new().id_salt("dock").max_rect(rest), |ui| dock::show(ui, self));
         self.show_help(ui);
+        self.show_sharing(ui);
         self.pause_what_is_not_seen();
         self.ask_questions(&ctx);
     }

@@ -17,33 +17,39 @@ mod layout;
 mod pane;
 mod panes;
 mod picture;
+mod search;
 mod settings;
+mod share;
 mod story;
 mod window;
 mod workbench;
 
-pub use command::{Command, Commands, EditCommand, HelpCommand, SceneCommand, StepCommand, ViewCommand};
+pub use command::{
+    Command, Commands, EditCommand, HelpCommand, SceneCommand, SearchCommand, ShareCommand, StepCommand, ViewCommand,
+};
 pub use dock::{Dock, Preset};
 pub use pane::Pane;
 pub use settings::Settings;
+pub use share::{Aim, Ending, Product};
 pub use story::recording::{HitMark, Recording};
 pub use story::stepping::Stepping;
 pub use workbench::{Look, OpenScene, Problem, Workbench};
 
 use crate::folder::Outside;
+use crate::share::link::Link;
 
 /// Opens the workbench on the text of a scene and stays until its window is closed.
 ///
-/// `name` is the scene's name, or its file's; `outside` says whether it may name pictures outside its folder. A scene with errors is no reason not to open: the window shows them.
+/// `name` is the scene's name, or its file's; `outside` says whether it may name pictures outside its folder. A scene with errors is no reason not to open: the window shows them. A link is followed as soon as the window is there.
 ///
 /// # Errors
 ///
 /// One line that says why there is no window, and what to do without one.
-pub fn run(name: &str, text: String, outside: Outside) -> Result<(), String> {
+pub fn run(name: &str, text: String, outside: Outside, link: Option<Link>) -> Result<(), String> {
     if !has_display() {
         return Err(without_display("there is no display"));
     }
-    window::open(name, text, outside).map_err(|error| without_display(&none_opened(&error.to_string())))
+    window::open(name, text, outside, link).map_err(|error| without_display(&none_opened(&error.to_string())))
 }
 
 /// Elsewhere than on Unix desktops a display is taken for granted.

@@ -5,6 +5,7 @@ use super::frame::words::{say, say_with};
 use super::pane::Pane;
 use super::picture::panel::ImageView;
 use super::picture::renderer::Renderer;
+use super::share;
 use super::story::{detail, pane as story_pane};
 use super::workbench::{OpenScene, Workbench};
 use crate::record::Effect;
@@ -29,6 +30,7 @@ impl Workbench {
             Pane::Effects => self.effects_pane(ui),
             Pane::Editor => self.editor_pane(ui),
             Pane::Properties => self.editing.properties_ui(ui),
+            Pane::Search => self.search_pane(ui),
             Pane::Overview
             | Pane::Generic
             | Pane::Intervals
@@ -36,7 +38,6 @@ impl Workbench {
             | Pane::Snell
             | Pane::Shading
             | Pane::Planes
-            | Pane::Search
             | Pane::Compare => empty(ui, &say(ui.ctx(), &format!("{}-about", pane.word()))),
         }
     }
@@ -56,6 +57,7 @@ impl Workbench {
             Pane::Story => Some(story_pane::position(ui.ctx(), self)),
             _ => None,
         };
+        share::tools(ui, self, pane);
         if let Some(state) = state {
             ui.label(RichText::new(state).small().weak());
         }
@@ -82,7 +84,11 @@ impl Workbench {
         self.picture_keys(ui.ctx());
         let Some(open) = &self.open else { return empty(ui, &say(ui.ctx(), "no-scene")) };
         let texture = self.renderer.texture(ui.ctx()).cloned();
-        let view = ImageView { scene: &open.scene, texture, recording: self.recording.as_ref() };
+        self.search.update(ui.ctx(), &open.scene);
+        let layers = self.search.layers(ui.ctx());
+        let told = |pixel| self.search.told(pixel);
+        let recording = self.recording.as_ref();
+        let view = ImageView { scene: &open.scene, texture, recording, layers: &layers, told: &told };
         if let Some(pixel) = self.image.ui(ui, &view) {
             self.record(pixel);
         }
@@ -110,6 +116,15 @@ impl Workbench {
         let chosen = padded(ui, |ui| self.effects.ui(ui, open));
         if let Some(effects) = chosen {
             self.switch(ui.ctx(), effects);
+        }
+    }
+
+    fn search_pane(&mut self, ui: &mut Ui) {
+        let Some(open) = &self.open else { return empty(ui, &say(ui.ctx(), "no-scene")) };
+        self.search.update(ui.ctx(), &open.scene);
+        let place = padded(ui, |ui| self.search.ui(ui, &open.scene));
+        if let Some(place) = place {
+            self.go_to(place);
         }
     }
 

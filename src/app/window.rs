@@ -2,6 +2,7 @@
 
 use crate::app::workbench::Workbench;
 use crate::folder::Outside;
+use crate::share::link::Link;
 use eframe::{CreationContext, Frame, NativeOptions, Storage};
 use egui::{Ui, ViewportBuilder};
 
@@ -10,7 +11,7 @@ const KEPT: &str = "kept";
 const NAME: &str = "rayscope";
 
 /// Opens the window and stays until it is closed.
-pub fn open(name: &str, text: String, outside: Outside) -> Result<(), eframe::Error> {
+pub fn open(name: &str, text: String, outside: Outside, link: Option<Link>) -> Result<(), eframe::Error> {
     let viewport = ViewportBuilder::default()
         .with_title("rayscope")
         .with_app_id(NAME)
@@ -18,7 +19,7 @@ pub fn open(name: &str, text: String, outside: Outside) -> Result<(), eframe::Er
         .with_min_inner_size([960.0, 600.0])
         .with_drag_and_drop(true);
     let options = NativeOptions { viewport, ..NativeOptions::default() };
-    let create = move |creation: &CreationContext| Window::new(creation, name, &text, outside);
+    let create = move |creation: &CreationContext| Window::new(creation, name, &text, outside, link.as_ref());
     eframe::run_native(NAME, options, Box::new(move |creation| Ok(Box::new(create(creation)))))
 }
 
@@ -27,7 +28,7 @@ struct Window {
 }
 
 impl Window {
-    fn new(creation: &CreationContext, name: &str, text: &str, outside: Outside) -> Self {
+    fn new(creation: &CreationContext, name: &str, text: &str, outside: Outside, link: Option<&Link>) -> Self {
         let mut workbench = Workbench::new(&creation.egui_ctx, name, text, outside);
         if let Some(kept) = creation.storage.and_then(|storage| storage.get_string(KEPT)) {
             workbench.take_up(&kept);
@@ -35,7 +36,10 @@ impl Window {
         if let Some(folder) = eframe::storage_dir(NAME) {
             workbench.keep_edits_in(&folder.join("recovery"));
         }
-        workbench.offer_tour();
+        match link {
+            Some(link) => workbench.follow(&creation.egui_ctx, link),
+            None => workbench.offer_tour(),
+        }
         Self { workbench }
     }
 }

@@ -16,7 +16,9 @@ use crate::app::kept;
 use crate::app::pane::Pane;
 use crate::app::picture::panel::ImagePanel;
 use crate::app::picture::renderer::Renderer;
+use crate::app::search::pane::{Place, SearchPane};
 use crate::app::settings::Settings;
+use crate::app::share::Sharing;
 use crate::app::story::recording::Recording;
 use crate::app::story::stepping::Stepping;
 use crate::app::story::timeline::Timeline;
@@ -80,11 +82,13 @@ pub struct Workbench {
     pub(in crate::app) plots: PlotsPanel,
     pub(in crate::app) effects: EffectsPane,
     pub(in crate::app) accuracy: AccuracyPane,
+    pub(in crate::app) search: SearchPane,
     pub(in crate::app) dock: Dock,
     pub(in crate::app) settings: Settings,
     pub(in crate::app) editing: Editing,
     pub(in crate::app) outside: Outside,
     pub(in crate::app) help: Help,
+    pub(in crate::app) sharing: Sharing,
     ctx: Context,
 }
 
@@ -107,10 +111,12 @@ impl Workbench {
             plots: PlotsPanel::default(),
             effects: EffectsPane::default(),
             accuracy: AccuracyPane::default(),
+            search: SearchPane::default(),
             dock: Dock::default(),
             settings: Settings::default(),
             editing: Editing::default(),
             help: Help::default(),
+            sharing: Sharing::default(),
             outside,
             ctx: ctx.clone(),
         };
@@ -295,6 +301,39 @@ impl Workbench {
         if let Some((dock, settings)) = kept::read(text) {
             (self.dock, self.settings) = (dock, settings);
         }
+    }
+
+    /// Records the pixel of a place, if it is not the recorded one, and then selects its event.
+    pub(in crate::app) fn go_to(&mut self, place: Place) {
+        let is_there = self.recording.as_ref().is_some_and(|recording| recording.pixel == place.pixel);
+        if !is_there || self.stepping.is_recording() {
+            self.record(place.pixel);
+        }
+        self.search.awaited = Some(place);
+        self.arrive();
+    }
+
+    /// Selects the event of the place that was gone to, once its pixel is there.
+    pub(in crate::app) fn arrive(&mut self) {
+        if self.stepping.is_recording() {
+            return;
+        }
+        let Some(Place { pixel, event: Some(event) }) = self.search.awaited.take() else { return };
+        if self.recording.as_ref().is_some_and(|recording| recording.pixel == pixel) {
+            self.select(event);
+        }
+    }
+
+    /// Finding pixels, and maps.
+    #[must_use]
+    pub const fn search(&self) -> &SearchPane {
+        &self.search
+    }
+
+    /// Finds the pixels in whose stories a question holds of an event.
+    pub fn find(&mut self, question: &str) {
+        self.reveal(Pane::Search);
+        self.search.ask(question);
     }
 
     /// Selects an event of the recorded pixel.

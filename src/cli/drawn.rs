@@ -4,6 +4,10 @@ use super::failure::Failure;
 use super::output::Output;
 use crate::view::{self, Drawing};
 use clap::ValueEnum;
+use std::path::Path;
+
+/// Maps are this large, in points.
+pub const MAP_SIZE: [f64; 2] = [900.0, 560.0];
 
 /// PNGs have two pixels a point.
 const PIXELS_PER_POINT: f32 = 2.0;
@@ -15,6 +19,10 @@ pub enum Theme {
     Light,
     /// Light on black
     Dark,
+    /// Black and deep colours on white
+    LightContrast,
+    /// White and pale colours on black
+    DarkContrast,
 }
 
 impl From<Theme> for view::Theme {
@@ -22,6 +30,8 @@ impl From<Theme> for view::Theme {
         match theme {
             Theme::Light => Self::Light,
             Theme::Dark => Self::Dark,
+            Theme::LightContrast => Self::LightContrast,
+            Theme::DarkContrast => Self::DarkContrast,
         }
     }
 }
@@ -36,12 +46,66 @@ pub fn png(drawing: &Drawing) -> Vec<u8> {
     view::png(drawing, PIXELS_PER_POINT)
 }
 
-/// Refuses to fill a terminal with the bytes of a PNG.
-pub fn check_png_has_a_file(output: &Output) -> Result<(), Failure> {
+/// What a drawing is written as, where the ending of a file says so.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Ending {
+    /// `.svg`, and every ending that is none of the others
+    Svg,
+    /// `.png`
+    Png,
+    /// `.pdf`
+    Pdf,
+}
+
+impl Ending {
+    /// The ending of a file; the standard output has none.
+    pub fn of(path: Option<&Path>) -> Self {
+        match path.and_then(Path::extension).and_then(|ending| ending.to_str()) {
+            Some("png") => Self::Png,
+            Some("pdf") => Self::Pdf,
+            _ => Self::Svg,
+        }
+    }
+
+    /// The bytes of the file.
+    pub fn bytes(self, title: &str, drawing: &Drawing) -> Vec<u8> {
+        match self {
+            Self::Svg => svg(drawing),
+            Self::Png => png(drawing),
+            Self::Pdf => pdf(title, drawing),
+        }
+    }
+}
+
+/// The bytes of a PDF file with one page.
+pub fn pdf(title: &str, drawing: &Drawing) -> Vec<u8> {
+    view::pdf(title, std::slice::from_ref(drawing))
+}
+
+/// Refuses to fill a terminal with the bytes of `what`, such as a PNG.
+pub fn check_has_a_file(output: &Output, what: &str) -> Result<(), Failure> {
     if output.is_terminal() {
-        return Err(Failure::usage("a PNG is no text for a terminal; name a file with -o"));
+        return Err(Failure::usage(format!("{what} is no text for a terminal; name a file with -o")));
     }
     Ok(())
+}
+
+/// Where one drawing goes, as what the ending of the file says.
+pub struct DrawingOutput {
+    output: Output,
+    ending: Ending,
+}
+
+impl DrawingOutput {
+    /// Opens it, so that a wrong path is found out before the work begins.
+    pub fn create(path: Option<&Path>) -> Result<Self, Failure> {
+        Ok(Self { output: Output::create(path)?, ending: Ending::of(path) })
+    }
+
+    /// Writes the drawing.
+    pub fn write(self, title: &str, drawing: &Drawing) -> Result<(), Failure> {
+        self.output.write(&self.ending.bytes(title, drawing))
+    }
 }
 
 /// A text that ends its last line.

@@ -31,6 +31,11 @@ impl Failure {
         Self { code: REFUSED, message: Some(message.into()) }
     }
 
+    /// What was compared differs, which has been said.
+    pub const fn differs() -> Self {
+        Self { code: REFUSED, message: None }
+    }
+
     /// The command line or a scene is wrong.
     pub fn usage(message: impl Into<String>) -> Self {
         Self { code: USAGE, message: Some(message.into()) }

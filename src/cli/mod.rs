@@ -3,11 +3,15 @@
 mod accuracy;
 mod accuracy_ray;
 mod bench;
+mod compare;
+mod compare_json;
 mod drawn;
 mod effects;
 mod export;
 mod failure;
+mod find;
 mod frames;
+mod map;
 mod open;
 mod output;
 mod probe;
@@ -22,7 +26,6 @@ mod stability;
 mod stability_plots;
 mod stats;
 mod trace;
-mod trace_drawing;
 
 pub use probe::answers;
 
@@ -35,6 +38,9 @@ Examples:
   rayscope open scenes/csg/bowl.json            open it on a scene of your own
   rayscope render csg/bowl -o bowl.png          render a picture
   rayscope trace csg/bowl --pixel 320,240       print everything that a pixel's ray did
+  rayscope find optics/fishbowl tir             list the pixels with total internal reflection
+  rayscope map optics/fishbowl --of rays -o rays.png    show how many rays each pixel sends
+  rayscope compare mine.jsonl csg/bowl          say where your own ray tracer departs from this one
   rayscope effects optics/fishbowl              say what each effect of a scene costs
   rayscope accuracy lights/soft_shadows         say what accuracy costs in time
   rayscope scan textures/scanning               texture scanning beside inverse scanning
@@ -47,7 +53,7 @@ SCENE is a file, or the name of a scene that comes with the program, such as csg
 
 Exit codes:
     0  everything went well
-    1  a request was refused, or a result could not be written
+    1  a request was refused, a result could not be written, or `compare` found a difference
     2  the command line or a scene is wrong
   130  interrupted by Ctrl-C; what was finished is kept
   141  whoever was reading the output stopped";
@@ -65,10 +71,13 @@ enum Command {
     Open(open::Open),
     Render(render::Render),
     Trace(trace::Trace),
+    Find(find::Find),
+    Map(map::Map),
     Scan(scan::Scan),
     Effects(effects::Effects),
     Accuracy(accuracy::Accuracy),
     Probe(probe::Probe),
+    Compare(compare::Compare),
     Export(export::Export),
     Scenes(scenes::Scenes),
     Schema(schema::Schema),
@@ -88,10 +97,13 @@ pub fn run() -> ExitCode {
         Some(Command::Open(open)) => open.run(),
         Some(Command::Render(render)) => render.run(),
         Some(Command::Trace(trace)) => trace.run(),
+        Some(Command::Find(find)) => find.run(),
+        Some(Command::Map(map)) => map.run(),
         Some(Command::Scan(scan)) => scan.run(),
         Some(Command::Effects(effects)) => effects.run(),
         Some(Command::Accuracy(accuracy)) => accuracy.run(),
         Some(Command::Probe(probe)) => probe.run(),
+        Some(Command::Compare(compare)) => compare.run(),
         Some(Command::Export(export)) => export.run(),
         Some(Command::Scenes(scenes)) => scenes.run(),
         Some(Command::Schema(schema)) => schema.run(),

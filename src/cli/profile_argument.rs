@@ -2,6 +2,7 @@
 
 use super::failure::{Failure, reason};
 use crate::scene::{Profile, Scene};
+use crate::share::link::Accuracy;
 use clap::Args;
 use std::fs;
 
@@ -14,9 +15,24 @@ pub struct ProfileArgument {
 }
 
 impl ProfileArgument {
+    /// Names one from within the program.
+    pub const fn named(accuracy: Option<String>) -> Self {
+        Self { accuracy }
+    }
+
     /// Whether there is one.
     pub const fn is_given(&self) -> bool {
         self.accuracy.is_some()
+    }
+
+    /// The profile as a link names it: by its name, or with the text of its file.
+    pub fn for_link(&self) -> Result<Option<Accuracy>, Failure> {
+        let Some(name) = &self.accuracy else { return Ok(None) };
+        if Profile::NAMED.iter().any(|(known, _)| known == name) {
+            return Ok(Some(Accuracy::Named(name.clone())));
+        }
+        let text = profile(name)?.to_json("An accuracy profile.").map_err(Failure::refused)?;
+        Ok(Some(Accuracy::Text(text)))
     }
 
     /// The scene, looked at as the profile says.

@@ -60,6 +60,8 @@ enum Format {
     Svg,
     /// Both pictures as PNG
     Png,
+    /// Both pictures as PDF
+    Pdf,
 }
 
 /// Both scans as data.
@@ -96,8 +98,10 @@ impl Scan {
     pub fn run(&self) -> Result<(), Failure> {
         let scene = self.scene.load()?;
         let output = Output::create(self.output.as_deref())?;
-        if self.format == Format::Png {
-            drawn::check_png_has_a_file(&output)?;
+        match self.format {
+            Format::Png => drawn::check_has_a_file(&output, "a PNG")?,
+            Format::Pdf => drawn::check_has_a_file(&output, "a PDF")?,
+            Format::Text | Format::Json | Format::Svg => {}
         }
         let size = SizeArguments::of_width(Some(self.columns)).apply(scene.image)?;
         if size.height > LONGEST_SIDE {
@@ -119,6 +123,7 @@ impl Scan {
                 .map_err(|error| Failure::refused(error.to_string())),
             Format::Svg => Ok(drawn::svg(&self.drawing(scanning))),
             Format::Png => Ok(drawn::png(&self.drawing(scanning))),
+            Format::Pdf => Ok(drawn::pdf(self.scene.name(), &self.drawing(scanning))),
         }
     }
 

@@ -38,6 +38,11 @@ impl SceneArgument {
         &self.name
     }
 
+    /// Whether the scene comes with the program, and no file of that name stands before it.
+    pub fn is_embedded(&self) -> bool {
+        !Path::new(&self.name).is_file() && embedded_scene(&self.name).is_some()
+    }
+
     /// Names a scene from within the program.
     pub fn named(name: impl Into<String>) -> Self {
         Self { name: name.into(), allow_outside_files: false }
@@ -92,6 +97,11 @@ impl SceneArgument {
 }
 
 impl SizeArguments {
+    /// Whether any size is asked for.
+    pub const fn is_given(self) -> bool {
+        self.width.is_some() || self.height.is_some()
+    }
+
     /// So many columns, and rows in proportion.
     pub const fn of_width(width: Option<u32>) -> Self {
         Self { width, height: None }

@@ -2,17 +2,19 @@
 
 use super::failure::Failure;
 use super::output::Output;
+use crate::compare::foreign::line_schema;
 use crate::scene::{profile_schema, scene_schema};
 use crate::trace::trace_schema;
 use clap::{Args, ValueEnum};
 
-/// Print the JSON Schema of scene files, of recorded traces or of accuracy profiles
+/// Print the JSON Schema of scene files, of recorded traces, of accuracy profiles or of compared lines
 #[derive(Args, Debug)]
 #[command(after_help = "\
 Examples:
   rayscope schema > scene.schema.json
   rayscope schema trace > trace.schema.json
   rayscope schema profile > profile.schema.json
+  rayscope schema compare > compare.schema.json
 
 With \"$schema\": \"scene.schema.json\" as its first member, an editor completes and checks a scene file.")]
 pub struct Schema {
@@ -29,6 +31,8 @@ enum Of {
     Trace,
     /// What `rayscope accuracy --profile` writes and `rayscope render --accuracy` reads
     Profile,
+    /// One line of what `rayscope compare` reads of another ray tracer
+    Compare,
 }
 
 impl Schema {
@@ -38,6 +42,7 @@ impl Schema {
             Of::Scene => scene_schema(),
             Of::Trace => trace_schema(),
             Of::Profile => profile_schema(),
+            Of::Compare => line_schema(),
         };
         let text = serde_json::to_string_pretty(&schema).map_err(|error| Failure::refused(error.to_string()))?;
         Output::Standard.write((text + "\n").as_bytes())

@@ -1,6 +1,6 @@
 //! `rayscope stability`: how right the solvers are, as a table, as data, or as plots.
 
-use super::drawn::Theme;
+use super::drawn::{Ending, Theme};
 use super::failure::Failure;
 use super::output::Output;
 use super::progress::{stop_on_ctrl_c, with_bar};
@@ -44,7 +44,7 @@ pub struct Stability {
     /// How to write the table
     #[arg(long, value_enum, default_value_t = Format::Table, conflicts_with_all = ["plot", "plots"])]
     format: Format,
-    /// Instead of the table a plot of one shape; -o says by its ending whether as .svg or .png
+    /// Instead of the table a plot of one shape; -o says by its ending whether as .svg, .png or .pdf
     #[arg(long, value_enum, value_name = "KIND", requires = "shape", conflicts_with = "plots")]
     plot: Option<PlotKind>,
     /// Instead of the table all plots of all shapes, as SVG files in this folder
@@ -142,9 +142,9 @@ impl Stability {
         let [subject] = subjects.as_slice() else {
             return Err(Failure::usage("a plot is of one primitive: give one --shape that is not csg"));
         };
-        let as_png = self.output.as_deref().and_then(Path::extension).is_some_and(|ending| ending == "png");
+        let ending = Ending::of(self.output.as_deref());
         let output = Output::create(self.output.as_deref())?;
-        let work = || plotted(kind, subject, self.theme, as_png, watch);
+        let work = || plotted(kind, subject, self.theme, ending, watch);
         output.write(&with_bar(kind.places(), || watch.done.load(Ordering::Relaxed), work)?)
     }
 

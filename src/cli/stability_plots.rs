@@ -1,10 +1,10 @@
 //! The plots of `rayscope stability`: the solvers followed into the distance, towards tangents and to small objects.
 
-use super::drawn::{self, Theme};
+use super::drawn::{Ending, Theme};
 use super::failure::{Failure, reason};
 use super::output::Output;
 use crate::accuracy::{Place, Question, Subject, experiment, plot};
-use crate::view::{self, log_plot};
+use crate::view::log_plot;
 use clap::ValueEnum;
 use std::fs;
 use std::path::Path;
@@ -41,14 +41,17 @@ impl PlotKind {
         self.question().places().len()
     }
 
-    /// The file that it is written to in a folder of plots.
-    pub fn file_name(self, subject: &Subject) -> String {
-        let kind = match self {
+    const fn name(self) -> &'static str {
+        match self {
             Self::Distance => "distance",
             Self::Tangency => "tangency",
             Self::Scale => "scale",
-        };
-        format!("error_{kind}_{}.svg", subject.name)
+        }
+    }
+
+    /// The file that it is written to in a folder of plots.
+    pub fn file_name(self, subject: &Subject) -> String {
+        format!("error_{}_{}.svg", self.name(), subject.name)
     }
 }
 
@@ -60,12 +63,12 @@ pub struct Watch<'a> {
     pub stopped: &'a AtomicBool,
 }
 
-/// The plot of one subject, as SVG or PNG.
+/// The plot of one subject, as the ending says.
 pub fn plotted(
     kind: PlotKind,
     subject: &Subject,
     theme: Theme,
-    as_png: bool,
+    ending: Ending,
     watch: &Watch,
 ) -> Result<Vec<u8>, Failure> {
     let count = || {
@@ -76,7 +79,7 @@ pub fn plotted(
         return Err(Failure::interrupted("interrupted; the plot that was being worked on was not written"));
     }
     let drawing = log_plot(&plot(kind.question(), subject, &places), SIZE, theme.into());
-    Ok(if as_png { drawn::png(&drawing) } else { view::svg(&drawing).into_bytes() })
+    Ok(ending.bytes(&format!("{}, {}", subject.name, kind.name()), &drawing))
 }
 
 /// All plots of the subjects as SVG files in a folder, which is made if it is not there.
@@ -87,7 +90,7 @@ pub fn write_all(folder: &Path, subjects: &[Subject], theme: Theme, watch: &Watc
     for subject in subjects {
         for kind in PlotKind::ALL {
             let output = Output::create(Some(&folder.join(kind.file_name(subject))))?;
-            output.write(&plotted(kind, subject, theme, false, watch)?)?;
+            output.write(&plotted(kind, subject, theme, Ending::Svg, watch)?)?;
         }
     }
     Ok(())

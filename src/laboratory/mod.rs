@@ -33,7 +33,10 @@ pub use combination::{Base, Prediction, Step, predictions};
 pub use errors::errors;
 pub use frontier::{Standing, frontier};
 pub use knob::{Knob, Setting};
-pub use maps::{MapKind, digits_map, error_map, tier_map, time_map};
+pub use maps::{
+    MapKind, TIMINGS, Times, digits_lost, digits_map, error_map, map_of_digits, map_of_times, tier_map, time_map,
+    time_pixels,
+};
 pub use plan::{Earlier, Plan, Tools};
 pub use plot::plot;
 pub use point::{Errors, Noise, Point, Reference, Study, Timing};

@@ -89,13 +89,18 @@ pub(super) struct Glyph {
 }
 
 fn find(face: Face, c: char) -> Option<(&'static FontRef<'static>, ab_glyph::GlyphId, f32)> {
-    let fonts = parsed();
-    let in_font = |index: usize| {
-        let font = fonts.get(index)?;
-        let id = font.glyph_id(c);
-        (id.0 != 0).then(|| (font, id, font.units_per_em().map_or(1e-3, f32::recip)))
-    };
-    stack(face).into_iter().find_map(in_font)
+    stack(face).into_iter().find_map(|index| glyph_of(index, c))
+}
+
+/// The first font of the stack that has the character.
+fn font_of(face: Face, c: char) -> Option<usize> {
+    stack(face).into_iter().find(|&index| glyph_of(index, c).is_some())
+}
+
+fn glyph_of(index: usize, c: char) -> Option<(&'static FontRef<'static>, ab_glyph::GlyphId, f32)> {
+    let font = parsed().get(index)?;
+    let id = font.glyph_id(c);
+    (id.0 != 0).then(|| (font, id, font.units_per_em().map_or(1e-3, f32::recip)))
 }
 
 /// Whether some font of the stack has the character.
@@ -115,6 +120,37 @@ pub(super) fn glyphs(text: &str, face: Face) -> Vec<Glyph> {
         Some(glyph)
     };
     text.chars().filter_map(one).collect()
+}
+
+/// A character of a text set in size 1, with its place.
+pub(super) struct Placed {
+    /// The font that has it: an index into [`fonts`].
+    pub font: usize,
+    /// The font's own number for the character's shape.
+    pub glyph: u16,
+    /// The character.
+    pub character: char,
+    /// How far the pen has come before it.
+    pub x: f64,
+}
+
+/// The characters of a text set in size 1, each in the font that has it.
+pub(super) fn placed(text: &str, face: Face) -> Vec<Placed> {
+    let mut x = 0.0;
+    let one = |character: char| {
+        let shown = if has_glyph(face, character) { character } else { '□' };
+        let font = font_of(face, shown)?;
+        let (face_of, id, scale) = glyph_of(font, shown)?;
+        let placed = Placed { font, glyph: id.0, character, x };
+        x += f64::from(face_of.h_advance_unscaled(id) * scale);
+        Some(placed)
+    };
+    text.chars().filter_map(one).collect()
+}
+
+/// The font of that index, for its measures.
+pub(super) fn font(index: usize) -> Option<&'static FontRef<'static>> {
+    parsed().get(index)
 }
 
 /// How wide a text is, in points, when set in `size` points.

@@ -10,12 +10,14 @@ mod fonts;
 mod frontier_plot;
 mod heat_map;
 mod hit_test;
+mod included;
 mod interval_bars;
 mod labels;
 mod log_plot;
 mod marks_text;
 mod paint;
 mod palette;
+mod pdf;
 #[cfg(test)]
 mod sample;
 #[cfg(test)]
@@ -30,6 +32,7 @@ mod sign_plot;
 mod svg;
 mod text;
 mod timeline;
+mod views;
 
 pub use drawing::{Anchor, Drawing, Form, Frame, Mark, Spot, Stroke, Text};
 pub use event_plot::event_plot;
@@ -40,10 +43,14 @@ pub use interval_bars::interval_bars;
 pub use log_plot::{Curve, LogPlot, Panel, Scale, log_plot};
 pub use paint::{Pixels, paint, png};
 pub use palette::{Colour, Palette, Theme};
+pub use pdf::pdf;
 pub use scan_drawing::scan_drawing;
 pub use scan_text::scan_text;
 pub use side_view::{PlaneView, SectionPlane, SideViewOptions, side_view, side_view_plane};
 pub use sign_plot::sign_plot;
-pub use svg::svg;
-pub use text::{Detail, DetailLine, Row, brief, brief_vector, detail, row, significant, span_list, tree_text};
+pub use svg::{escaped, svg};
+pub use text::{
+    Detail, DetailLine, Row, beneath, brief, brief_vector, detail, equated, row, significant, span_list, tree_text,
+};
 pub use timeline::{TimelineScale, timeline};
+pub use views::{ALL_VIEWS, Subject, View, primitive_behind, search_behind};

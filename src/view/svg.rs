@@ -83,7 +83,8 @@ fn text_element(text: &Text) -> String {
 }
 
 /// Characters that mean something in XML are written as entities; those that XML forbids are left out.
-fn escaped(text: &str) -> String {
+#[must_use]
+pub fn escaped(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {
         match c {

@@ -104,3 +104,6 @@ view-high-contrast = Hoher Kontrast
 view-high-contrast-about = Texte und Linien heben sich mindestens siebenfach vom Grund ab.
 view-reduced-motion = Weniger Bewegung
 view-reduced-motion-about = Nichts blendet, gleitet oder rollt von selbst.
+
+problem-title = { $name } lässt sich nicht öffnen.
+problem-stays = { $name } bleibt geöffnet.

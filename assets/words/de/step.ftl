@@ -130,3 +130,6 @@ step-row-guest = gezeigt, weil es gewählt ist
 step-timeline = Zeitleiste
 step-timeline-about = Alle Ereignisse in der Reihenfolge, in der sie geschahen. Klicken oder ziehen, um dorthin zu gehen.
 step-note-close = Meldung schließen
+
+detail-none = Es ist kein Ereignis gewählt.
+detail-source = Berechnet in { $source }

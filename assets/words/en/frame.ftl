@@ -104,3 +104,6 @@ view-high-contrast = High contrast
 view-high-contrast-about = Let texts and lines stand out from the ground at least seven times.
 view-reduced-motion = Reduced motion
 view-reduced-motion-about = Nothing fades, slides or scrolls by itself.
+
+problem-title = { $name } cannot be opened.
+problem-stays = { $name } stays open.

@@ -130,3 +130,6 @@ step-row-guest = shown because it is selected
 step-timeline = Timeline
 step-timeline-about = All events in the order in which they happened. Click or drag to go there.
 step-note-close = Close the message
+
+detail-none = No event is selected.
+detail-source = Computed in { $source }

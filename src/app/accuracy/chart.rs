@@ -3,6 +3,7 @@
 use crate::app::drawings::canvas::Canvas;
 use crate::app::frame::background::Background;
 use crate::app::frame::theme::{Palette, drawing_theme};
+use crate::app::frame::words::{say, say_with};
 use crate::laboratory::{MapKind, Point, Study, digits_map, error_map, plot, tier_map, time_map};
 use crate::scene::{Image, Scene};
 use crate::trace::Progress;
@@ -102,7 +103,8 @@ impl Chart {
         let key = PlotKey { study: Arc::clone(study), look: look(ui, rect) };
         let (wanted, name) = (key.clone(), name.to_owned());
         let response = ui.allocate_rect(rect, Sense::click());
-        response.widget_info(|| WidgetInfo::labeled(Role::Image, true, "Error against seconds"));
+        let title = say(ui.ctx(), "accuracy-plot");
+        response.widget_info(|| WidgetInfo::labeled(Role::Image, true, &title));
         let draw = move || Some(frontier_plot(&plot(&wanted.study, &name), points_of(wanted.look), wanted.look.theme));
         let shown = self.plot.update(ui.ctx(), &key, draw)?;
         let (Some(texture), Some(drawing)) = (&shown.texture, &shown.drawing) else { return None };
@@ -125,7 +127,8 @@ impl Chart {
         let Some((_, map)) = self.known.as_ref().filter(|(known, _)| known == of) else {
             let done = self.job.as_ref().map_or(0, |(_, job)| job.done());
             let share = 100.0 * done as f64 / of.kind.work(&looked_at(of, whole)).max(1) as f64;
-            let words = format!("Mapping: {share:.0} %");
+            let percent = format!("{share:.0}");
+            let words = say_with(ui.ctx(), "accuracy-mapping", &[("percent", (&percent).into())]);
             let weak = Palette::current(ui.ctx()).weak;
             ui.painter().text(
                 rect.center(),
@@ -136,8 +139,8 @@ impl Chart {
             );
             return;
         };
-        let title = map.title.clone();
-        response.widget_info(|| WidgetInfo::labeled(Role::Image, true, format!("Map: {title}")));
+        let title = say_with(ui.ctx(), "accuracy-map", &[("title", (&map.title).into())]);
+        response.widget_info(|| WidgetInfo::labeled(Role::Image, true, &title));
         let key = MapKey { map: Arc::clone(map), look: look(ui, rect) };
         let wanted = key.clone();
         let draw = move || Some(heat_map(&wanted.map, points_of(wanted.look), wanted.look.theme));

@@ -4,11 +4,12 @@ use crate::app::accuracy::chart::{Chart, MapOf, View};
 use crate::app::accuracy::pane::Wish;
 use crate::app::accuracy::point::{Shown, chosen_point, list};
 use crate::app::frame::background::Background;
+use crate::app::frame::words::{say, say_with};
 use crate::app::workbench::OpenScene;
 use crate::cpu_time;
 use crate::laboratory::{MapKind, NoStore, Plan, Study, Tools, study};
 use crate::scene::Scene;
-use egui::{Align, Button, Layout, Rect, ScrollArea, Ui, UiBuilder, vec2};
+use egui::{Align, Button, Context, Layout, Rect, ScrollArea, Ui, UiBuilder, vec2};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
@@ -42,22 +43,24 @@ impl ImageScope {
     }
 
     /// How far the study is, in words.
-    pub fn state(&self) -> String {
+    pub fn state(&self, ctx: &Context) -> String {
         let count = |study: &Study| study.all().count();
+        let seconds = |job: &Background<Arc<Study>>| format!("{:.0}", job.seconds());
         match (&self.job, &self.study) {
-            (Some(job), None) => {
-                format!("Rendering every setting and a reference to compare with: {:.0} s", job.seconds())
-            }
+            (Some(job), None) => say_with(ctx, "accuracy-rendering", &[("seconds", (&seconds(job)).into())]),
             (Some(job), Some(study)) => {
-                format!("Measuring {} settings in turn: {:.0} of about {BUDGET:.0} s", count(study), job.seconds())
+                let (seconds, budget) = (seconds(job), format!("{BUDGET:.0}"));
+                let values =
+                    [("count", count(study).into()), ("seconds", (&seconds).into()), ("budget", (&budget).into())];
+                say_with(ctx, "accuracy-measuring", &values)
             }
-            (None, Some(study)) if self.is_complete => format!(
-                "{} settings on one thread that waited {:.0} % of the time",
-                count(study),
-                100.0 * study.waiting
-            ),
-            (None, Some(study)) => format!("{} settings, measured for less than the whole time", count(study)),
-            (None, None) => "Nothing was measured.".to_owned(),
+            (None, Some(study)) if self.is_complete => {
+                let percent = format!("{:.0}", 100.0 * study.waiting);
+                let values = [("count", count(study).into()), ("percent", (&percent).into())];
+                say_with(ctx, "accuracy-measured", &values)
+            }
+            (None, Some(study)) => say_with(ctx, "accuracy-measured-less", &[("count", count(study).into())]),
+            (None, None) => say(ctx, "accuracy-nothing"),
         }
     }
 
@@ -65,14 +68,14 @@ impl ImageScope {
     pub fn ui(&mut self, ui: &mut Ui, open: &OpenScene) -> Option<Wish> {
         self.measure(ui, &open.whole);
         ui.horizontal(|ui| {
-            ui.selectable_value(&mut self.view, View::Plot, "Error against seconds");
-            for (kind, name, tip) in MAPS {
-                ui.selectable_value(&mut self.view, View::Map(kind), name).on_hover_text(tip);
+            ui.selectable_value(&mut self.view, View::Plot, say(ui.ctx(), "accuracy-plot"));
+            for (kind, word) in MAPS {
+                let tip = say(ui.ctx(), &format!("{word}-about"));
+                ui.selectable_value(&mut self.view, View::Map(kind), say(ui.ctx(), word)).on_hover_text(tip);
             }
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-                let again = ui.add_enabled(self.job.is_none(), Button::new("Measure again"));
-                if again.on_hover_text("For times that were lost in noise: when the machine has less to do.").clicked()
-                {
+                let again = ui.add_enabled(self.job.is_none(), Button::new(say(ui.ctx(), "accuracy-again")));
+                if again.on_hover_text(say(ui.ctx(), "accuracy-again-about")).clicked() {
                     *self = Self { chosen: self.chosen.take(), view: self.view, ..Self::default() };
                 }
             });
@@ -127,12 +130,12 @@ impl ImageScope {
     }
 }
 
-/// The maps with what they show.
-const MAPS: [(MapKind, &str, &str); 4] = [
-    (MapKind::Error, "Error", "How far each pixel is from the reference, with the chosen setting."),
-    (MapKind::Digits, "Digits lost", "What the chosen setting's arithmetic loses of each pixel's hit time."),
-    (MapKind::Tier, "Certainty", "What it took to be sure of each pixel's hits, with the chosen setting."),
-    (MapKind::Time, "ns per pixel", "What each pixel takes, with the chosen setting."),
+/// The maps, with their names in the catalogue of words.
+const MAPS: [(MapKind, &str); 4] = [
+    (MapKind::Error, "accuracy-map-error"),
+    (MapKind::Digits, "accuracy-map-digits"),
+    (MapKind::Tier, "accuracy-map-certainty"),
+    (MapKind::Time, "accuracy-map-time"),
 ];
 
 /// Runs a study; publishes what is known now and then, and the end.

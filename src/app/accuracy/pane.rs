@@ -2,6 +2,7 @@
 
 use crate::app::accuracy::image::ImageScope;
 use crate::app::accuracy::ray::RayScope;
+use crate::app::frame::words::{say, say_with};
 use crate::app::story::recording::Recording;
 use crate::app::workbench::OpenScene;
 use crate::record::EventId;
@@ -53,18 +54,18 @@ impl AccuracyPane {
     pub fn ui(&mut self, ui: &mut Ui, open: &OpenScene, recording: Option<&Recording>) -> Option<Wish> {
         let mut wish = None;
         ui.horizontal(|ui| {
-            ui.selectable_value(&mut self.scope, Scope::Image, "This image");
-            ui.selectable_value(&mut self.scope, Scope::Ray, "This ray");
+            ui.selectable_value(&mut self.scope, Scope::Image, say(ui.ctx(), "accuracy-image"));
+            ui.selectable_value(&mut self.scope, Scope::Ray, say(ui.ctx(), "accuracy-ray"));
             ui.separator();
             let state = match self.scope {
-                Scope::Image => self.image.state(),
-                Scope::Ray => self.ray.state(recording),
+                Scope::Image => self.image.state(ui.ctx()),
+                Scope::Ray => self.ray.state(ui.ctx(), recording),
             };
             ui.label(RichText::new(state).weak());
             if let Some(look) = &open.look {
                 ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-                    let tip = format!("The picture is shown with {}.", look.name);
-                    if ui.button("Back to the scene as it stands").on_hover_text(tip).clicked() {
+                    let tip = say_with(ui.ctx(), "accuracy-shown-with", &[("name", (&look.name).into())]);
+                    if ui.button(say(ui.ctx(), "accuracy-back")).on_hover_text(tip).clicked() {
                         wish = Some(Wish::AsItStands);
                     }
                 });

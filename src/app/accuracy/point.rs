@@ -2,6 +2,7 @@
 
 use crate::app::accuracy::pane::Wish;
 use crate::app::frame::theme::{Palette, bold};
+use crate::app::frame::words::{say, say_with};
 use crate::app::picture::thumbnail::{difference, texture, thumbnail};
 use crate::laboratory::{Point, Study};
 use crate::view::{brief, seconds, significant};
@@ -45,8 +46,8 @@ pub fn list(ui: &mut Ui, study: &Study, chosen: usize) -> Option<usize> {
     let palette = Palette::current(ui.ctx());
     let mut clicked = None;
     Grid::new("settings").num_columns(3).striped(true).spacing([10.0, 2.0]).show(ui, |ui| {
-        for title in ["setting", "time", "error"] {
-            ui.label(RichText::new(title).small().weak());
+        for title in ["accuracy-setting", "accuracy-time", "accuracy-error"] {
+            ui.label(RichText::new(say(ui.ctx(), title)).small().weak());
         }
         ui.end_row();
         for (place, point) in study.all().enumerate() {
@@ -54,8 +55,8 @@ pub fn list(ui: &mut Ui, study: &Study, chosen: usize) -> Option<usize> {
                 clicked = Some(place);
             }
             let ink = if point.on_frontier { palette.text } else { palette.weak };
-            ui.label(RichText::new(time(point)).monospace().color(ink));
-            ui.label(RichText::new(error(point)).monospace().color(ink));
+            ui.label(RichText::new(time(ui.ctx(), point)).monospace().color(ink));
+            ui.label(RichText::new(error(ui.ctx(), point)).monospace().color(ink));
             ui.end_row();
         }
     });
@@ -71,28 +72,29 @@ fn named(ui: &mut Ui, point: &Point, is_chosen: bool) -> Response {
         ui.set_max_width(NAME);
         ui.add(button)
     });
-    shown.inner.on_hover_text(format!("{name}. {}", meaning(point)))
+    shown.inner.on_hover_text(format!("{name}. {}", say(ui.ctx(), meaning(point))))
 }
 
+/// What a point is, by its name in the catalogue of words.
 fn meaning(point: &Point) -> &'static str {
     if point.is_control() {
-        "A control: it must change nothing but the time."
+        "accuracy-is-control"
     } else if point.timing.told().is_none() {
-        "Its time is lost in noise: the machine was busy with other things."
+        "accuracy-is-noise"
     } else if point.on_frontier {
-        "On the frontier: nothing that was measured is both faster and closer."
+        "accuracy-is-frontier"
     } else {
-        "Something that was measured is both faster and closer."
+        "accuracy-is-beaten"
     }
 }
 
-fn time(point: &Point) -> String {
-    point.timing.told().map_or_else(|| "noise".to_owned(), seconds)
+fn time(ctx: &Context, point: &Point) -> String {
+    point.timing.told().map_or_else(|| say(ctx, "accuracy-noise"), seconds)
 }
 
-fn error(point: &Point) -> String {
+fn error(ctx: &Context, point: &Point) -> String {
     match point.errors.rmse {
-        0.0 => "0, exactly".to_owned(),
+        0.0 => say(ctx, "accuracy-exact"),
         error => significant(error, 2),
     }
 }
@@ -113,8 +115,8 @@ pub fn chosen_point(
     ui.vertical(|ui| {
         ui.add(Label::new(RichText::new(point.plain_name()).family(bold()).size(14.5)).wrap());
         if !point.settings.is_empty() {
-            let look = ui.button("Look at the scene so");
-            if look.on_hover_text("Renders the whole picture with this setting, and records rays with it.").clicked() {
+            let look = ui.button(say(ui.ctx(), "accuracy-look"));
+            if look.on_hover_text(say(ui.ctx(), "accuracy-look-about")).clicked() {
                 wish = Some(Wish::Look(point.name(), point.profile));
             }
         }
@@ -126,11 +128,12 @@ pub fn chosen_point(
 
 fn pictures(ui: &mut Ui, shown: &Shown) {
     let (off, largest) = &shown.off;
-    let off_by = format!("How far it is from the reference: the brightest pixel differs by {largest} of 255");
+    let largest = u32::from(*largest);
+    let off_by = say_with(ui.ctx(), "accuracy-off-by-about", &[("largest", largest.into())]);
     let columns = [
-        ("as it stands", &shown.standard, "The scene as it stands".to_owned()),
-        ("this setting", &shown.own, "With this setting".to_owned()),
-        ("off by", off, off_by),
+        ("accuracy-stands", &shown.standard, say(ui.ctx(), "accuracy-stands-about")),
+        ("accuracy-own", &shown.own, say(ui.ctx(), "accuracy-own-about")),
+        ("accuracy-off-by", off, off_by),
     ];
     Grid::new("pictures").num_columns(3).spacing([8.0, 2.0]).show(ui, |ui| {
         for (_, texture, meaning) in &columns {
@@ -138,7 +141,7 @@ fn pictures(ui: &mut Ui, shown: &Shown) {
         }
         ui.end_row();
         for (name, ..) in &columns {
-            ui.label(RichText::new(*name).small().weak());
+            ui.label(RichText::new(say(ui.ctx(), name)).small().weak());
         }
     });
 }
@@ -148,17 +151,26 @@ fn figures(ui: &mut Ui, point: &Point) {
     let share = if timing.seconds > 0.0 { 100.0 * timing.spread / timing.seconds } else { 0.0 };
     let taken = match timing.noise {
         Some(noise) => noise.describe(),
-        None => format!("{} ± {share:.1} %, {} times", seconds(timing.seconds), timing.repeats),
+        None => {
+            let told = format!("{} ± {share:.1} %", seconds(timing.seconds));
+            say_with(ui.ctx(), "accuracy-times", &[("time", (&told).into()), ("count", timing.repeats.into())])
+        }
     };
     let errors = &point.errors;
     let rows = [
-        ("time", taken),
-        ("error", format!("{}, root mean square; {} at 99.9 %", error(point), significant(errors.p999, 2))),
-        ("wrong", format!("{} pixels, 1 − SSIM {}", errors.wrong_pixels, significant(errors.dissimilarity, 2))),
+        ("accuracy-time", taken),
+        ("accuracy-error", {
+            let (rms, p999) = (error(ui.ctx(), point), significant(errors.p999, 2));
+            say_with(ui.ctx(), "accuracy-rms", &[("rms", (&rms).into()), ("p999", (&p999).into())])
+        }),
+        ("accuracy-wrong", {
+            let (pixels, ssim) = (errors.wrong_pixels.to_string(), significant(errors.dissimilarity, 2));
+            say_with(ui.ctx(), "accuracy-wrong-pixels", &[("pixels", (&pixels).into()), ("ssim", (&ssim).into())])
+        }),
     ];
     Grid::new("figures").num_columns(2).spacing([10.0, 1.0]).show(ui, |ui| {
         for (name, value) in rows {
-            ui.label(RichText::new(name).small().weak());
+            ui.label(RichText::new(say(ui.ctx(), name)).small().weak());
             ui.label(RichText::new(value).small());
             ui.end_row();
         }
@@ -168,14 +180,10 @@ fn figures(ui: &mut Ui, point: &Point) {
 /// What is as fast and closer, and what is as close and faster; returns the one that was clicked.
 fn pairs(ui: &mut Ui, study: &Study, shown: &Shown, point: &Point) -> Option<usize> {
     let mut clicked = None;
-    let pairs = [("as fast, but closer", &shown.closer), ("as close, but faster", &shown.faster)];
+    let pairs = [("accuracy-closer", &shown.closer), ("accuracy-faster", &shown.faster)];
     if pairs.iter().all(|(_, pair)| pair.is_none()) {
-        let words = if point.timing.told().is_none() {
-            "With a time that is lost in noise it cannot be compared."
-        } else {
-            "Nothing that was measured is as fast and clearly closer, or as close and clearly faster."
-        };
-        ui.add(Label::new(RichText::new(words).small().weak()).wrap());
+        let words = if point.timing.told().is_none() { "accuracy-not-compared" } else { "accuracy-no-pair" };
+        ui.add(Label::new(RichText::new(say(ui.ctx(), words)).small().weak()).wrap());
         return None;
     }
     Grid::new("pairs").num_columns(2).spacing([8.0, 4.0]).show(ui, |ui| {
@@ -184,12 +192,12 @@ fn pairs(ui: &mut Ui, study: &Study, shown: &Shown, point: &Point) -> Option<usi
             let Some(other) = study.all().nth(*place) else { continue };
             thumbnail(ui, texture, SMALL, &other.plain_name());
             ui.vertical(|ui| {
-                ui.label(RichText::new(title).small().weak());
+                ui.label(RichText::new(say(ui.ctx(), title)).small().weak());
                 let button = ui.add(Button::new(RichText::new(other.plain_name()).small()).truncate());
-                if button.on_hover_text("Choose it.").clicked() {
+                if button.on_hover_text(say(ui.ctx(), "accuracy-choose")).clicked() {
                     clicked = Some(*place);
                 }
-                ui.label(RichText::new(gain(other, point)).small());
+                ui.label(RichText::new(gain(ui.ctx(), other, point)).small());
             });
             ui.end_row();
         }
@@ -198,11 +206,16 @@ fn pairs(ui: &mut Ui, study: &Study, shown: &Shown, point: &Point) -> Option<usi
 }
 
 /// By how much a pair differs, in words.
-fn gain(other: &Point, point: &Point) -> String {
+fn gain(ctx: &Context, other: &Point, point: &Point) -> String {
     let times = other.timing.seconds / point.timing.seconds;
     let errors = other.errors.rmse / point.errors.rmse;
-    let errors = if errors.is_finite() { format!("{} × the error", brief(rounded(errors))) } else { error(other) };
-    format!("{} × the time, {errors}", brief(rounded(times)))
+    let errors = if errors.is_finite() {
+        say_with(ctx, "accuracy-times-error", &[("factor", (&brief(rounded(errors))).into())])
+    } else {
+        error(ctx, other)
+    };
+    let factor = brief(rounded(times));
+    say_with(ctx, "accuracy-times-time", &[("factor", (&factor).into()), ("errors", (&errors).into())])
 }
 
 /// Two digits after the point.

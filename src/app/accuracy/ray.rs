@@ -4,6 +4,7 @@ use crate::app::accuracy::pane::Wish;
 use crate::app::frame::background::Background;
 use crate::app::frame::empty::empty;
 use crate::app::frame::theme::{Palette, bold};
+use crate::app::frame::words::{say, say_with};
 use crate::app::story::recording::Recording;
 use crate::app::workbench::OpenScene;
 use crate::cpu_time;
@@ -11,7 +12,7 @@ use crate::laboratory::{Story, Target, ThisRay, Timing, this_ray, time_methods};
 use crate::record::EventId;
 use crate::scene::Scene;
 use crate::view::{row, seconds, significant};
-use egui::{Grid, Label, RichText, ScrollArea, Ui};
+use egui::{Context, Grid, Label, RichText, ScrollArea, Ui};
 use std::sync::Arc;
 
 /// How often each method is timed.
@@ -61,21 +62,22 @@ impl RayScope {
     }
 
     /// What is shown, in words.
-    pub fn state(&self, recording: Option<&Recording>) -> String {
+    pub fn state(&self, ctx: &Context, recording: Option<&Recording>) -> String {
         let Some([x, y]) = recording.map(|recording| recording.pixel) else {
-            return "No pixel is recorded.".to_owned();
+            return say(ctx, "accuracy-ray-none");
         };
-        match (&self.known, &self.job) {
-            (None, _) => format!("Pixel ({x}, {y}): tracing it by every method"),
-            (Some(_), Some(_)) => format!("Pixel ({x}, {y}): measuring what every method takes"),
-            (Some(_), None) => format!("Pixel ({x}, {y}) by every method, against hits of 77 digits"),
-        }
+        let word = match (&self.known, &self.job) {
+            (None, _) => "accuracy-ray-tracing",
+            (Some(_), Some(_)) => "accuracy-ray-measuring",
+            (Some(_), None) => "accuracy-ray-done",
+        };
+        say_with(ctx, word, &[("x", x.into()), ("y", y.into())])
     }
 
     /// Shows the methods and the losses of the chosen one; returns what is asked for.
     pub fn ui(&mut self, ui: &mut Ui, open: &OpenScene, recording: Option<&Recording>) -> Option<Wish> {
         let Some(recording) = recording else {
-            empty(ui, "Click a pixel of the picture: its ray is traced by every method.");
+            empty(ui, &say(ui.ctx(), "accuracy-ray-click"));
             return None;
         };
         self.follow(ui, &Asked { scene: Arc::clone(&open.scene), pixel: recording.pixel });
@@ -88,8 +90,7 @@ impl RayScope {
             if let Some(story) = told {
                 wish = losses(ui, story, recording).or(wish.take());
             } else {
-                let words = "Choose a method: its story is shown, from the first event on that is not as it should be.";
-                ui.label(RichText::new(words).weak());
+                ui.label(RichText::new(say(ui.ctx(), "accuracy-ray-choose")).weak());
             }
         });
         wish
@@ -128,28 +129,40 @@ fn start(ui: &Ui, asked: Asked) -> Option<Background<Known>> {
     })
 }
 
+/// The titles of the columns, by their names in the catalogue of words.
+const METHOD_TITLES: [&str; 5] =
+    ["accuracy-method", "accuracy-takes", "accuracy-hit-digits", "accuracy-colour-digits", "accuracy-otherwise"];
+
 /// A row for each method; returns the story that was chosen.
 fn methods(ui: &mut Ui, known: &Known, recording: &Recording) -> Option<Wish> {
     let palette = Palette::current(ui.ctx());
     let mut wish = None;
     Grid::new("methods").num_columns(5).striped(true).spacing([18.0, 6.0]).show(ui, |ui| {
-        for title in
-            ["method", "this ray takes", "digits right of the hit time", "of the colour", "what happens otherwise"]
-        {
-            ui.label(RichText::new(title).small().weak());
+        for title in METHOD_TITLES {
+            ui.label(RichText::new(say(ui.ctx(), title)).small().weak());
         }
         ui.end_row();
         for (k, story) in known.ray.stories.iter().enumerate() {
             let label = ui.selectable_label(recording.by == Some(story.method), story.method.name());
-            if label.on_hover_text("Show its story.").clicked() {
+            if label.on_hover_text(say(ui.ctx(), "accuracy-ray-show")).clicked() {
                 wish = Some(told(story, first(story)));
             }
-            ui.label(RichText::new(known.timings.get(k).map_or_else(|| "…".to_owned(), taken)).monospace());
-            ui.label(RichText::new(story.hit_digits().map_or_else(|| "no hit".to_owned(), digits)).monospace());
-            ui.label(RichText::new(digits(story.colour_digits(&known.ray.exact))).monospace());
+            ui.label(
+                RichText::new(known.timings.get(k).map_or_else(|| "…".to_owned(), |timing| taken(ui.ctx(), timing)))
+                    .monospace(),
+            );
+            ui.label(
+                RichText::new(
+                    story
+                        .hit_digits()
+                        .map_or_else(|| say(ui.ctx(), "accuracy-no-hit"), |right| digits(ui.ctx(), right)),
+                )
+                .monospace(),
+            );
+            ui.label(RichText::new(digits(ui.ctx(), story.colour_digits(&known.ray.exact))).monospace());
             match &story.parting {
                 Some(parting) => ui.add(Label::new(RichText::new(&parting.reason).color(palette.problem)).wrap()),
-                None => ui.label(RichText::new("nothing").color(palette.weak)),
+                None => ui.label(RichText::new(say(ui.ctx(), "accuracy-same")).color(palette.weak)),
             };
             ui.end_row();
         }
@@ -173,20 +186,20 @@ fn losses(ui: &mut Ui, story: &Story, recording: &Recording) -> Option<Wish> {
     let losses = story.losses(LEAST_LOSS);
     let name = story.method.name();
     if losses.is_empty() {
-        ui.label(RichText::new(format!("{name} loses no digits in any event of this ray.")).weak());
+        ui.label(RichText::new(say_with(ui.ctx(), "accuracy-loses-none", &[("name", name.into())])).weak());
         return None;
     }
-    ui.label(RichText::new(format!("Where {name} loses digits")).family(bold()));
+    ui.label(RichText::new(say_with(ui.ctx(), "accuracy-loses", &[("name", name.into())])).family(bold()));
     let mut wish = None;
     Grid::new("losses").num_columns(4).striped(true).spacing([18.0, 3.0]).show(ui, |ui| {
-        for title in ["lost", "right", "worst number", "event"] {
-            ui.label(RichText::new(title).small().weak());
+        for title in ["accuracy-lost", "accuracy-right", "accuracy-worst", "accuracy-event"] {
+            ui.label(RichText::new(say(ui.ctx(), title)).small().weak());
         }
         ui.end_row();
         for &event in losses.iter().take(MOST_LOSSES) {
             let about = &story.told[event as usize];
             ui.label(RichText::new(tenths(about.lost)).monospace());
-            ui.label(RichText::new(about.right.map_or_else(String::new, digits)).monospace());
+            ui.label(RichText::new(about.right.map_or_else(String::new, |right| digits(ui.ctx(), right))).monospace());
             let worst = about
                 .worst()
                 .map_or_else(String::new, |number| format!("{} ± {}", number.name, significant(number.error, 2)));
@@ -199,17 +212,21 @@ fn losses(ui: &mut Ui, story: &Story, recording: &Recording) -> Option<Wish> {
         }
     });
     if losses.len() > MOST_LOSSES {
-        ui.label(RichText::new(format!("and {} more", losses.len() - MOST_LOSSES)).small().weak());
+        ui.label(
+            RichText::new(say_with(ui.ctx(), "accuracy-more", &[("count", (losses.len() - MOST_LOSSES).into())]))
+                .small()
+                .weak(),
+        );
     }
     wish
 }
 
-fn taken(timing: &Timing) -> String {
-    timing.told().map_or_else(|| "noise".to_owned(), seconds)
+fn taken(ctx: &Context, timing: &Timing) -> String {
+    timing.told().map_or_else(|| say(ctx, "accuracy-noise"), seconds)
 }
 
-fn digits(digits: f64) -> String {
-    if digits.is_infinite() { "all".to_owned() } else { tenths(digits) }
+fn digits(ctx: &Context, digits: f64) -> String {
+    if digits.is_infinite() { say(ctx, "accuracy-all") } else { tenths(digits) }
 }
 
 fn tenths(x: f64) -> String {

@@ -6,17 +6,21 @@
 mod edit;
 mod help;
 mod scene;
+mod search;
+mod share;
 mod step;
 mod view;
 
 pub use edit::EditCommand;
 pub use help::HelpCommand;
 pub use scene::SceneCommand;
+pub use search::SearchCommand;
+pub use share::ShareCommand;
 pub use step::StepCommand;
 pub use view::ViewCommand;
 
 use crate::app::workbench::Workbench;
-use egui::{Context, KeyboardShortcut};
+use egui::{Context, Event, KeyboardShortcut};
 
 /// The commands of one area.
 pub trait Commands: Copy + 'static {
@@ -99,7 +103,9 @@ areas! {
     Scene(SceneCommand) = "menu-scene",
     Edit(EditCommand) = "menu-edit",
     Step(StepCommand) = "menu-step",
+    Search(SearchCommand) = "menu-search",
     View(ViewCommand) = "menu-view",
+    Share(ShareCommand) = "menu-share",
     Help(HelpCommand) = "menu-help",
 }
 
@@ -113,6 +119,10 @@ impl Command {
 
 /// The command whose key was pressed. While a text is typed, keys without Ctrl or Alt belong to it.
 pub fn pressed(ctx: &Context, workbench: &Workbench) -> Option<Command> {
+    let is_pressed = |event: &Event| matches!(event, Event::Key { pressed: true, .. });
+    if !ctx.input(|input| input.events.iter().any(is_pressed)) {
+        return None;
+    }
     let is_typing = ctx.text_edit_focused();
     let mut keyed: Vec<(Command, KeyboardShortcut)> =
         Command::all().into_iter().filter_map(|command| command.key().map(|key| (command, key))).collect();

@@ -30,6 +30,8 @@ pub struct Editing {
     pub flaws: Vec<Flaw>,
     /// The revision that the picture and the story show.
     pub shown: u64,
+    /// Whether a panel is seen in which things are edited: then the thing is marked in the picture.
+    pub is_seen: bool,
     /// Where the thing stands that is being edited.
     pub target: Option<Place>,
     /// Compiles the text.

@@ -52,6 +52,8 @@ impl Workbench {
     /// Does what is due between two frames: compiles, saves, notes, asks.
     pub(in crate::app) fn follow_edits(&mut self, ctx: &Context) {
         self.take_undo_keys(ctx);
+        // While panels are being shown, nobody knows which are.
+        self.editing.is_seen = self.dock.shows(Pane::Editor) || self.dock.shows(Pane::Properties);
         self.editing.analysis.follow(&self.editing.document);
         self.follow_text(ctx);
         self.follow_selection();
@@ -269,7 +271,7 @@ impl Workbench {
             ui.painter().rect_filled(back, 3.0, egui::Color32::from_black_alpha(190));
             ui.painter().galley(at, galley, egui::Color32::WHITE);
         }
-        let is_seen = self.editing.mover.is_on || self.dock.shows(Pane::Editor) || self.dock.shows(Pane::Properties);
+        let is_seen = self.editing.mover.is_on || self.editing.is_seen;
         if let Some(target) = self.editing.target.as_ref().filter(|_| is_seen) {
             if let Some(object) = object_at(target).and_then(|index| scene.objects.get(index)) {
                 let extent = object.solid.extent();

@@ -5,7 +5,7 @@ use crate::app::edit::field;
 use crate::app::frame::empty::empty;
 use crate::app::frame::theme::{Palette, bold};
 use crate::app::frame::words::{say, say_with};
-use crate::document::{Cause, Guide, Place, Property, Section, Target, TargetKind, sheet};
+use crate::document::{Cause, Guide, Place, Property, Section, Target, TargetKind, sheet, value_at};
 use crate::record::EventId;
 use crate::shape::Shape;
 use egui::{ComboBox, Grid, RichText, ScrollArea, Ui, UiBuilder, vec2};
@@ -112,6 +112,9 @@ impl Editing {
             match wish {
                 Wish::Set(place, value, cause) => {
                     let cause = Cause::part_of(cause, place.to_string());
+                    if place.last_field() == Some("shape") {
+                        self.exchange_parameters(&place, &value, &cause);
+                    }
                     self.set(&[(place, value)], &cause);
                 }
                 Wish::Insert(list, index, value, cause) => {
@@ -126,6 +129,22 @@ impl Editing {
                 Wish::Redo => self.redo(),
                 Wish::Seal => self.document.seal(),
             }
+        }
+    }
+}
+
+impl Editing {
+    /// Another shape has other parameters: those of the old one go, those that the new one needs come.
+    fn exchange_parameters(&mut self, tag: &Place, shape: &Value, cause: &Cause) {
+        let Some((solid, _)) = tag.parent() else { return };
+        let old = value_at(self.whole(), tag).and_then(Value::as_str).unwrap_or_default().to_owned();
+        let [old, new] = [&old, shape.as_str().unwrap_or_default()].map(|shape| Guide::scene().solid(shape));
+        let fields = |value: &Value| value.as_object().cloned().unwrap_or_default();
+        for (name, _) in fields(&old).iter().filter(|(name, _)| new.get(name.as_str()).is_none()) {
+            self.restructure(cause.clone(), |structure| structure.remove(&solid.field(name)));
+        }
+        for (name, value) in fields(&new).into_iter().filter(|(name, _)| old.get(name.as_str()).is_none()) {
+            self.set(&[(solid.field(&name), value)], cause);
         }
     }
 }

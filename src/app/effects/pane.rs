@@ -2,6 +2,7 @@
 
 use crate::app::effects::job::LedgerJob;
 use crate::app::frame::theme::{Palette, bold};
+use crate::app::frame::words::{say, say_with};
 use crate::app::picture::thumbnail::{difference, texture, thumbnail};
 use crate::app::workbench::OpenScene;
 use crate::ledger::{Ledger, Price, Row};
@@ -14,6 +15,9 @@ use egui::{
 };
 use std::sync::Arc;
 
+/// The titles of the columns, by their names in the catalogue of words.
+const TITLES: [&str; 6] =
+    ["effects-effect", "effects-rays", "effects-ns", "effects-share", "effects-without", "effects-difference"];
 /// Width of the small pictures, in points.
 const SMALL: f32 = 96.0;
 /// Width of the bar that shows a share, in points.
@@ -63,14 +67,14 @@ impl EffectsPane {
     }
 
     fn contents(&self, ui: &mut Ui, open: &OpenScene) -> Option<Effects> {
-        ui.label(RichText::new(self.state()).weak());
+        ui.label(RichText::new(self.state(ui.ctx())).weak());
         ui.add_space(4.0);
         let (called, idle): (Vec<_>, Vec<_>) = reasons(&open.whole).into_iter().partition(|reason| reason.called_for);
         let mut chosen = None;
         ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
             Grid::new("effects called for").num_columns(6).striped(true).spacing([14.0, 8.0]).show(ui, |ui| {
-                for title in ["effect", "rays", "ns per pixel", "share", "without it", "difference"] {
-                    ui.label(RichText::new(title).small().weak());
+                for title in TITLES {
+                    ui.label(RichText::new(say(ui.ctx(), title)).small().weak());
                 }
                 ui.end_row();
                 for reason in &called {
@@ -87,14 +91,19 @@ impl EffectsPane {
     }
 
     /// What the figures are, or how far they are.
-    fn state(&self) -> String {
+    fn state(&self, ctx: &Context) -> String {
         match (&self.shown, &self.job) {
-            (Some(Shown { ledger, .. }), _) => format!(
-                "Measured at {} × {}, {:.0} ns per pixel on one thread; each price is the median of {} pairs, with and without.",
-                ledger.picture.width, ledger.picture.height, ledger.ns_per_pixel, ledger.pairs
-            ),
-            (None, Some(job)) => format!("Measuring what each effect costs: {:.0} %", 100.0 * job.share_done()),
-            (None, None) => "What the effects cost cannot be measured: no thread could be started.".to_owned(),
+            (Some(Shown { ledger, .. }), _) => {
+                let size = format!("{} × {}", ledger.picture.width, ledger.picture.height);
+                let ns = format!("{:.0}", ledger.ns_per_pixel);
+                let values = [("size", (&size).into()), ("ns", (&ns).into()), ("pairs", ledger.pairs.into())];
+                say_with(ctx, "effects-measured", &values)
+            }
+            (None, Some(job)) => {
+                let percent = format!("{:.0}", 100.0 * job.share_done());
+                say_with(ctx, "effects-measuring", &[("percent", (&percent).into())])
+            }
+            (None, None) => say(ctx, "effects-no-thread"),
         }
     }
 
@@ -113,14 +122,15 @@ impl EffectsPane {
             });
             return switched.then(|| switch(effects, effect, is_on));
         };
-        ui.label(row.rays.to_string()).on_hover_text(format!(
-            "{} rays that there would not be without it; its code was entered {} times.",
-            row.rays, row.calls
-        ));
+        ui.label(row.rays.to_string()).on_hover_text({
+            let (rays, calls) = (row.rays.to_string(), row.calls.to_string());
+            say_with(ui.ctx(), "effects-rays-about", &[("rays", (&rays).into()), ("calls", (&calls).into())])
+        });
         price(ui, row.price);
         if let Some((without, difference, largest)) = pictures {
-            thumbnail(ui, without, SMALL, "The picture without it");
-            let meaning = format!("How far each pixel differs; the brightest differs by {largest} of 255");
+            thumbnail(ui, without, SMALL, &say(ui.ctx(), "effects-picture-without"));
+            let largest = u32::from(*largest);
+            let meaning = say_with(ui.ctx(), "effects-difference-about", &[("largest", largest.into())]);
             thumbnail(ui, difference, SMALL, &meaning);
         }
         switched.then(|| switch(effects, effect, is_on))
@@ -155,7 +165,7 @@ fn price(ui: &mut Ui, price: Option<Price>) {
     let colour = if price.is_clear() { palette.text } else { palette.weak };
     let label = ui.label(RichText::new(figures).monospace().color(colour));
     if !price.is_clear() {
-        label.on_hover_text("Within its own spread: it cannot be told from nothing.");
+        label.on_hover_text(say(ui.ctx(), "effects-unclear"));
     }
     let (rect, _) = ui.allocate_exact_size(vec2(BAR, 16.0), Sense::hover());
     #[expect(clippy::cast_possible_truncation, reason = "a width in points")]
@@ -176,7 +186,7 @@ fn idle_effects(ui: &mut Ui, idle: &[Reason]) {
     if idle.is_empty() {
         return;
     }
-    ui.label(RichText::new("Not called for: none of their code runs, and they cost nothing.").small().weak());
+    ui.label(RichText::new(say(ui.ctx(), "effects-idle")).small().weak());
     ui.horizontal_wrapped(|ui| {
         for reason in idle {
             ui.label(RichText::new(reason.effect.name()).weak()).on_hover_text(&reason.why);

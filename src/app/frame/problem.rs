@@ -1,6 +1,7 @@
 //! What is wrong with a scene that could not be opened.
 
 use crate::app::frame::theme::Palette;
+use crate::app::frame::words::{say, say_with};
 use crate::app::workbench::{OpenScene, Problem};
 use egui::{Align, CornerRadius, Label, Layout, Rect, RichText, ScrollArea, Stroke, StrokeKind, Ui, UiBuilder};
 
@@ -30,10 +31,12 @@ pub fn ui(ui: &mut Ui, rect: Rect, problem: &Problem, open: Option<&OpenScene>) 
     ui.scope_builder(builder, |ui| {
         ui.horizontal(|ui| {
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-                closed = ui.button("Close").clicked();
+                closed = ui.button(say(ui.ctx(), "close")).clicked();
                 ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
-                    let kept = open.map_or_else(String::new, |open| format!(" {} stays open.", open.name));
-                    let title = format!("{} cannot be opened.{kept}", problem.name);
+                    let title = say_with(ui.ctx(), "problem-title", &[("name", (&problem.name).into())]);
+                    let stays =
+                        |open: &OpenScene| say_with(ui.ctx(), "problem-stays", &[("name", (&open.name).into())]);
+                    let title = open.map_or_else(|| title.clone(), |open| format!("{title} {}", stays(open)));
                     ui.add(Label::new(RichText::new(title).strong().color(palette.problem)).truncate());
                 });
             });

@@ -98,12 +98,6 @@ fn motion_place() -> Id {
     Id::unique("reduced motion")
 }
 
-/// Whether nothing is to move by itself.
-#[must_use]
-pub fn has_reduced_motion(ctx: &Context) -> bool {
-    ctx.data(|data| data.get_temp(motion_place())).unwrap_or(false)
-}
-
 /// Puts contrast and motion into effect, where they have changed.
 pub fn set(ctx: &Context, is_high_contrast: bool, is_reduced_motion: bool) {
     let wanted = (is_high_contrast, is_reduced_motion);

@@ -1,9 +1,11 @@
 //! The picture: hover to read a pixel, click to record it, arrow keys to go to its neighbours.
 
 use crate::app::frame::theme::Palette;
+use crate::app::frame::words::{say, say_with};
 use crate::app::picture::overlay::{draw_crosshair, draw_hits};
 use crate::app::picture::placement::Placement;
 use crate::app::picture::reading::Reading;
+use crate::app::search::pane::Layer;
 use crate::app::story::recording::Recording;
 use crate::scene::Scene;
 use egui::{
@@ -30,6 +32,10 @@ pub struct ImageView<'a> {
     pub texture: Option<TextureHandle>,
     /// The recorded pixel.
     pub recording: Option<&'a Recording>,
+    /// What lies over the picture, the lowest first.
+    pub layers: &'a [Layer],
+    /// What is told of a pixel besides its colour.
+    pub told: &'a dyn Fn([u32; 2]) -> Option<String>,
 }
 
 impl ImagePanel {
@@ -48,7 +54,8 @@ impl ImagePanel {
         ui.painter().rect_filled(above, 0.0, palette.backdrop);
         let place = Placement::fit(view.scene, above.shrink(8.0), ui.pixels_per_point());
         let response = ui.interact(place.rect, ui.scope_id().with("picture"), Sense::click());
-        response.widget_info(|| WidgetInfo::labeled(Role::Image, true, "Rendered image"));
+        let name = say(ui.ctx(), "picture-name");
+        response.widget_info(|| WidgetInfo::labeled(Role::Image, true, &name));
         let response = response.on_hover_cursor(egui::CursorIcon::Crosshair);
         self.seen = Some((place, response.id));
 
@@ -60,6 +67,9 @@ impl ImagePanel {
             None => {
                 painter.rect_filled(place.rect, 0.0, palette.panel);
             }
+        }
+        for layer in view.layers {
+            painter.image(layer.texture.id(), place.rect, unit_square(), layer.tint);
         }
         painter.rect_stroke(place.rect, 0.0, Stroke::new(1.0, palette.edge), StrokeKind::Outside);
         if let Some(recording) = view.recording {
@@ -87,9 +97,12 @@ impl ImagePanel {
         let palette = Palette::current(ui.ctx());
         let focused = view.recording.map(|recording| recording.pixel);
         let (text, swatch) = match (&self.reading, focused) {
-            (Some(reading), _) => (reading.text(), Some(reading.srgb())),
-            (None, Some([x, y])) => (format!("Pixel ({x}, {y}). Click another, or use the arrow keys."), None),
-            (None, None) => ("Click a pixel to record what its ray does.".to_owned(), None),
+            (Some(reading), _) => {
+                let told = (view.told)(reading.pixel).map(|told| format!(" · {told}")).unwrap_or_default();
+                (reading.text() + &told, Some(reading.srgb()))
+            }
+            (None, Some([x, y])) => (say_with(ui.ctx(), "picture-recorded", &[("x", x.into()), ("y", y.into())]), None),
+            (None, None) => (say(ui.ctx(), "picture-none"), None),
         };
         let mut x = line.left() + 10.0;
         if let Some([r, g, b]) = swatch {

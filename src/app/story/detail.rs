@@ -2,6 +2,7 @@
 
 use crate::app::frame::empty::empty;
 use crate::app::frame::theme::{PADDING, Palette};
+use crate::app::frame::words::{say, say_with};
 use crate::app::story::recording::Recording;
 use crate::view::{DetailLine, detail};
 use egui::{Frame, Grid, Label, Margin, RichText, ScrollArea, TextStyle, Ui};
@@ -9,7 +10,7 @@ use egui::{Frame, Grid, Label, Margin, RichText, ScrollArea, TextStyle, Ui};
 /// Shows the selected event.
 pub fn ui(ui: &mut Ui, recording: Option<&Recording>) {
     let Some(recording) = recording else {
-        empty(ui, "No event is selected.");
+        empty(ui, &say(ui.ctx(), "detail-none"));
         return;
     };
     let detail = detail(recording.tree.event(recording.selected()));
@@ -23,7 +24,9 @@ pub fn ui(ui: &mut Ui, recording: Option<&Recording>) {
             lines(ui, &detail.lines);
             ui.add_space(6.0);
             let palette = Palette::current(ui.ctx());
-            let source = RichText::new(format!("Computed in {}", detail.source)).small().color(palette.weak);
+            let source = RichText::new(say_with(ui.ctx(), "detail-source", &[("source", (&detail.source).into())]))
+                .small()
+                .color(palette.weak);
             ui.add(Label::new(source).wrap());
         });
     });

@@ -1,8 +1,7 @@
 //! `--map`: error, lost digits, certainty or time, pixel by pixel.
 
-use super::super::drawn::{self, Theme, check_png_has_a_file};
+use super::super::drawn::{DrawingOutput, MAP_SIZE, Theme};
 use super::super::failure::Failure;
-use super::super::output::Output;
 use super::super::progress::{stopped_by_ctrl_c, with_bar};
 use crate::laboratory::{MapKind, Sums, digits_map, error_map, is_random, reference_scene, tier_map, time_map};
 use crate::scene::Scene;
@@ -11,25 +10,17 @@ use crate::view::{HeatMap, heat_map};
 use std::path::Path;
 use std::time::Instant;
 
-/// Maps are this large, in points.
-const SIZE: [f64; 2] = [900.0, 560.0];
-
 /// Pictures of the reference of an error map where chance decides: with four it errs by half of what one does.
 const PICTURES: u32 = 4;
 
 /// The map of a scene; `plain` is the scene as it stands, which says what is true.
 pub fn write(kind: MapKind, [scene, plain]: [&Scene; 2], theme: Theme, output: Option<&Path>) -> Result<(), Failure> {
-    let as_png = output.and_then(Path::extension).is_some_and(|ending| ending == "png");
-    let output = Output::create(output)?;
-    if as_png {
-        check_png_has_a_file(&output)?;
-    }
+    let output = DrawingOutput::create(output)?;
     let progress = stopped_by_ctrl_c();
     let pictures = if kind == MapKind::Error { 1 + reference_pictures(plain) as usize } else { 1 };
     let map = with_bar(pictures * kind.work(scene), || progress.done(), || map(kind, [scene, plain], &progress));
     let map = map.ok_or_else(|| Failure::interrupted("interrupted: nothing was written"))?;
-    let drawing = heat_map(&map, SIZE, theme.into());
-    output.write(&if as_png { drawn::png(&drawing) } else { drawn::svg(&drawing) })
+    output.write(&scene.title, &heat_map(&map, MAP_SIZE, theme.into()))
 }
 
 fn map(kind: MapKind, [scene, plain]: [&Scene; 2], progress: &Progress) -> Option<HeatMap> {

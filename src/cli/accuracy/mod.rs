@@ -78,7 +78,7 @@ pub struct Accuracy {
     /// The file to write [default: the standard output]
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
-    /// Also draw error against seconds; the ending says whether as .svg or .png
+    /// Also draw error against seconds; the ending says whether as .svg, .png or .pdf
     #[arg(long, value_name = "FILE", value_parser = plot::file)]
     plot: Option<PathBuf>,
     /// Colours of the plot or map
@@ -105,7 +105,7 @@ pub struct Accuracy {
     /// Also count the instructions of each setting, by running this program under perf or valgrind
     #[arg(long)]
     instructions: bool,
-    /// Instead of all this: a map of the picture, as .svg or .png by the ending of -o
+    /// Instead of all this: a map of the picture, as .svg, .png or .pdf by the ending of -o
     #[arg(long, value_name = "KIND", value_parser = map_parser(), conflicts_with_all = STUDY)]
     map: Option<String>,
     #[command(flatten)]

@@ -10,20 +10,29 @@ use crate::view::{HeatMap, HeatScale};
 
 /// The digits that the scene's own method loses of the hit time of the ray through each pixel's middle, against the same with
 /// 32 digits; none if it was cancelled.
+#[must_use]
+pub fn digits_map(scene: &Scene, progress: &Progress) -> Option<HeatMap> {
+    of_each_pixel(scene.image, progress, |pixel| digits_lost(scene, pixel)).map(|values| map_of_digits(scene, values))
+}
+
+/// The same for one pixel: not a number where nothing is hit, infinite where a hit is lost or made up.
 ///
 /// A method that has d digits and errs by the share e of the true time has lost d + log₁₀ e of them.
 #[must_use]
-pub fn digits_map(scene: &Scene, progress: &Progress) -> Option<HeatMap> {
-    let digits = -(scene.solving.method.coarseness() * 0.5 * f64::EPSILON).log10();
+pub fn digits_lost(scene: &Scene, pixel: [u32; 2]) -> f64 {
     let truth = Solving { method: Method::DoubleDouble, ..Solving::default() };
-    let values = of_each_pixel(scene.image, progress, |pixel| {
-        let (origin, direction) = middle_ray(&scene.camera, scene, pixel);
-        let hit = |solving| first_hit(scene, solving, origin, direction);
-        lost(hit(scene.solving), hit(truth), digits)
-    })?;
+    let (origin, direction) = middle_ray(&scene.camera, scene, pixel);
+    let hit = |solving| first_hit(scene, solving, origin, direction);
+    lost(hit(scene.solving), hit(truth), digits_of(scene))
+}
+
+/// The map of such values, row by row from the top.
+#[must_use]
+pub fn map_of_digits(scene: &Scene, values: Vec<f64>) -> HeatMap {
+    let digits = digits_of(scene);
     // As far as the worst pixel goes, so that it stands out.
     let worst = values.iter().copied().filter(|lost| lost.is_finite()).fold(0.0, f64::max);
-    Some(HeatMap {
+    HeatMap {
         title: format!("Digits lost, {}", scene.solving.method.name()),
         notes: vec![format!(
             "Of the {digits:.1} digits of the hit time of the ray through each pixel's middle, against 32 digits."
@@ -35,7 +44,12 @@ pub fn digits_map(scene: &Scene, progress: &Progress) -> Option<HeatMap> {
         beyond: Some("a hit is lost or made up".to_owned()),
         values,
         ..HeatMap::default()
-    })
+    }
+}
+
+/// The digits that the scene's method has.
+fn digits_of(scene: &Scene) -> f64 {
+    -(scene.solving.method.coarseness() * 0.5 * f64::EPSILON).log10()
 }
 
 /// The ray from the eye through the middle of a pixel.

@@ -14,9 +14,12 @@ use crate::trace::{Picture, Progress};
 use crate::view::{HeatMap, HeatScale};
 use rayon::prelude::*;
 
-pub use digits::digits_map;
+pub use digits::{digits_lost, digits_map, map_of_digits};
 pub use tier::tier_map;
-pub use time::time_map;
+pub use time::{Times, map_of_times, time_map, time_pixels};
+
+/// How often each pixel is worked on for a map of times.
+pub const TIMINGS: usize = 1 + time::PASSES;
 
 /// What is mapped.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -51,7 +54,7 @@ impl MapKind {
     pub fn work(self, scene: &Scene) -> usize {
         let Image { width, height } = scene.image;
         let pixels = width as usize * height as usize;
-        if self == Self::Time { pixels * (1 + time::PASSES) } else { pixels }
+        if self == Self::Time { pixels * TIMINGS } else { pixels }
     }
 }
 

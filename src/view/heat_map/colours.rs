@@ -32,13 +32,41 @@ pub fn viridis(share: f64) -> Colour {
     Colour { r: channel(0), g: channel(1), b: channel(2), a: 255 }
 }
 
+/// Kinds that are told apart by colour alone, by people with any of the common colour vision deficiencies; further ones have them
+/// again, darker.
+///
+/// **Source** M. Okabe, K. Ito, Color Universal Design (2008).
+const KINDS: [Colour; 8] = [
+    Colour::hex(0xe6_9f_00),
+    Colour::hex(0x56_b4_e9),
+    Colour::hex(0x00_9e_73),
+    Colour::hex(0xf0_e4_42),
+    Colour::hex(0x00_72_b2),
+    Colour::hex(0xd5_5e_00),
+    Colour::hex(0xcc_79_a7),
+    Colour::hex(0x40_40_40),
+];
+
+/// The colour of a kind.
+pub fn kind(number: usize) -> Colour {
+    let (again, number) = (number / KINDS.len(), number % KINDS.len());
+    KINDS[number].mixed(Colour::hex(0), 1.0 - 0.62_f64.powi(i32::try_from(again.min(4)).unwrap_or(4)))
+}
+
+/// Levels of a channel in the colours of directions. More would make larger files, fewer would show steps.
+const LEVELS: u16 = 32;
+
 /// What a square is painted with.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Paint {
     /// A shade of the scale.
     Shade(usize),
     /// A class.
     Class(usize),
+    /// A kind.
+    Kind(usize),
+    /// A direction: how far it goes to the right, up and towards the eye, each as a level.
+    Direction([u16; 3]),
     /// Exactly 0, on a logarithmic scale.
     Zero,
     /// No value.
@@ -54,42 +82,40 @@ const CLASSES: [Colour; 3] = [Colour::hex(0xdc_e6_f0), Colour::hex(0xe6_9f_00), 
 const BEYOND: Colour = Colour::hex(0xff_1f_c4);
 
 impl Paint {
-    /// How many there are.
-    pub const COUNT: usize = SHADES + CLASSES.len() + 3;
-
     /// What a value is painted with.
     pub fn of(map: &HeatMap, value: f64) -> Self {
         match &map.scale {
             _ if value.is_nan() => Self::Nothing,
             _ if value.is_infinite() => Self::Beyond,
             HeatScale::Classes(_) => Self::Class((0..CLASSES.len() - 1).find(|k| value < *k as f64 + 0.5).unwrap_or(2)),
+            HeatScale::Kinds(_) => {
+                #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a place in a list")]
+                let kind = value.max(0.0).round() as usize;
+                Self::Kind(kind)
+            }
             HeatScale::Log(_) if value <= 0.0 && map.zero.is_some() => Self::Zero,
             scale => Self::Shade(scale.shade(value)),
         }
     }
 
-    /// Its place among all of them.
-    pub const fn index(self) -> usize {
-        match self {
-            Self::Shade(k) => k,
-            Self::Class(k) => SHADES + k,
-            Self::Zero => SHADES + CLASSES.len(),
-            Self::Nothing => SHADES + CLASSES.len() + 1,
-            Self::Beyond => SHADES + CLASSES.len() + 2,
+    /// What the value in a place is painted with.
+    pub fn at(map: &HeatMap, place: usize) -> Self {
+        let value = map.values.get(place).copied().unwrap_or(f64::NAN);
+        match &map.scale {
+            HeatScale::Directions(directions) if !value.is_nan() => {
+                directions.get(place).map_or(Self::Nothing, |&direction| Self::of_direction(direction))
+            }
+            _ => Self::of(map, value),
         }
     }
 
-    /// The one with this place.
-    pub const fn from_index(index: usize) -> Self {
-        const CLASS_END: usize = SHADES + CLASSES.len();
-        const NOTHING: usize = CLASS_END + 1;
-        match index {
-            0..SHADES => Self::Shade(index),
-            SHADES..CLASS_END => Self::Class(index - SHADES),
-            CLASS_END => Self::Zero,
-            NOTHING => Self::Nothing,
-            _ => Self::Beyond,
-        }
+    /// The colour of a direction has its parts, from −1 to 1, as red, green and blue.
+    pub fn of_direction(direction: [f64; 3]) -> Self {
+        Self::Direction(direction.map(|part| {
+            #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 0 and the levels")]
+            let level = (0.5 * (part.clamp(-1.0, 1.0) + 1.0) * f64::from(LEVELS - 1)).round() as u16;
+            level
+        }))
     }
 
     /// Its colour.
@@ -97,6 +123,11 @@ impl Paint {
         match self {
             Self::Shade(k) => viridis(k as f64 / (SHADES - 1) as f64),
             Self::Class(k) => CLASSES[k.min(CLASSES.len() - 1)],
+            Self::Kind(k) => kind(k),
+            Self::Direction(levels) => {
+                let [r, g, b] = levels.map(|level| u8::try_from(255 * level / (LEVELS - 1)).unwrap_or(255));
+                Colour { r, g, b, a: 255 }
+            }
             Self::Zero => palette.ground,
             Self::Nothing => palette.ground.mixed(palette.ink, 0.18),
             Self::Beyond => BEYOND,

@@ -1,7 +1,7 @@
 //! What the colours of a map mean.
 
 use super::colours::{Paint, SHADES};
-use super::{HeatMap, HeatScale, SMALL, TEXT};
+use super::{HeatMap, HeatScale, SMALL, TEXT, signs};
 use crate::view::axis::Axis;
 use crate::view::drawing::{Anchor, Drawing, Form, Frame, Spot, Stroke};
 use crate::view::fonts::Face;
@@ -15,6 +15,10 @@ const BAR: f64 = 16.0;
 const LONGEST_BAR: f64 = 260.0;
 const SWATCH: f64 = 11.0;
 const LINE: f64 = 14.0;
+/// The width of a swatch with a number in it.
+const NUMBER: f64 = 22.0;
+/// The radius of the ball that shows directions.
+const BALL: f64 = 44.0;
 
 /// Draws the legend from the upper left corner of `room` down.
 pub fn draw(drawing: &mut Drawing, map: &HeatMap, palette: &Palette, room: Frame, notes: &[String]) {
@@ -27,6 +31,8 @@ pub fn draw(drawing: &mut Drawing, map: &HeatMap, palette: &Palette, room: Frame
                 legend.swatch(Paint::Class(k), name);
             }
         }
+        HeatScale::Kinds(names) => legend.kinds(names),
+        HeatScale::Directions(_) => legend.ball(),
     }
     let others = [(Paint::Zero, &map.zero), (Paint::Nothing, &map.nothing), (Paint::Beyond, &map.beyond)];
     for (paint, name) in others {
@@ -86,9 +92,45 @@ impl Legend<'_> {
         self.y = top + length + 18.0;
     }
 
+    /// A number in its colour for each kind, as far as there is room.
+    fn kinds(&mut self, names: &[String]) {
+        for (k, name) in names.iter().enumerate() {
+            let left = names.len() - k;
+            if self.y + 4.0 * LINE > self.room.high[1] && left > 1 {
+                self.words(&format!("and {left} more, with numbers of their own"), self.room.low[0]);
+                return;
+            }
+            let number = (k + 1).to_string();
+            // As high as a line, about the middle of the words.
+            let [top, bottom] = [-0.5, 0.5].map(|half| self.y + 0.5 * SWATCH + half * LINE);
+            let frame = Frame { low: [self.room.low[0], top], high: [self.room.low[0] + NUMBER, bottom] };
+            let (fill, rim) = (Paint::Kind(k).colour(self.palette), Stroke::solid(self.palette.faint, 1.0));
+            self.drawing.put(Form::Rect { frame, fill: Some(fill), stroke: Some(rim) }, None);
+            signs::number(self.drawing, &number, frame.middle());
+            let count = self.count(Paint::Kind(k));
+            self.words(&format!("{name}: {}", share(count, self.map.values.len())), self.room.low[0] + NUMBER + 6.0);
+        }
+    }
+
+    /// A ball as it would be seen: each direction in its colour, with needles as they stand in the map.
+    fn ball(&mut self) {
+        let centre = [self.room.low[0] + BALL + 4.0, self.y + BALL + LINE];
+        self.text("up: green", [self.room.low[0], self.y + 0.5 * SWATCH]);
+        signs::ball(self.drawing, centre, BALL, self.palette);
+        self.text("right:", [centre[0] + BALL + 8.0, centre[1] - 0.5 * LINE]);
+        self.text("red", [centre[0] + BALL + 8.0, centre[1] + 0.5 * LINE]);
+        self.y = centre[1] + BALL + 8.0;
+        self.words("towards the eye: blue", self.room.low[0]);
+        self.words("A needle shows where the normal leans.", self.room.low[0]);
+    }
+
+    fn count(&self, paint: Paint) -> usize {
+        (0..self.map.values.len()).filter(|&place| Paint::at(self.map, place) == paint).count()
+    }
+
     /// A colour, what it means, and how much of the picture has it.
     fn swatch(&mut self, paint: Paint, name: &str) {
-        let count = self.map.values.iter().filter(|&&value| Paint::of(self.map, value) == paint).count();
+        let count = self.count(paint);
         let frame = Frame { low: [self.room.low[0], self.y], high: [self.room.low[0] + SWATCH, self.y + SWATCH] };
         let (fill, rim) = (Some(paint.colour(self.palette)), Stroke::solid(self.palette.faint, 1.0));
         self.drawing.put(Form::Rect { frame, fill, stroke: Some(rim) }, None);
@@ -124,6 +166,13 @@ fn number(value: f64, by_logarithm: bool) -> String {
         return crate::view::frontier_plot::error(value);
     }
     significant(value, 3)
+}
+
+/// Which kinds have which share, in words.
+pub fn shares(map: &HeatMap, names: &[String]) -> String {
+    let count = |k: usize| map.values.iter().filter(|&&value| value == k as f64).count();
+    let one = |(k, name): (usize, &String)| format!("{name}: {}", share(count(k), map.values.len()));
+    names.iter().enumerate().map(one).collect::<Vec<_>>().join("; ") + "."
 }
 
 /// A share of all pixels, or the number of them where that says more.

@@ -1,18 +1,22 @@
 //! A value for each pixel of a picture, as colours with their legend.
 //!
 //! Each pixel is a square of whole points, so that no seams are seen between them. Where a picture has more pixels than the
-//! drawing has room for, a square stands for the worst of several.
+//! drawing has room for, a square stands for the worst of several; of kinds and directions, which are not better or worse, for the
+//! middle one.
 
 mod colours;
 mod legend;
+mod signs;
 #[cfg(test)]
 mod tests;
 
-use super::drawing::{Anchor, Drawing, Form, Frame, Stroke};
+use super::drawing::{Anchor, Drawing, Form, Frame, Spot, Stroke};
 use super::fonts::Face;
 use super::labels::{Label, shortened};
-use super::palette::{Palette, Theme};
+use super::palette::{Colour, Palette, Theme};
+use super::text::significant;
 use colours::{Paint, SHADES};
+use std::collections::BTreeMap;
 
 /// A value for each pixel.
 ///
@@ -48,6 +52,10 @@ pub enum HeatScale {
     Log([f64; 2]),
     /// Each value is the place of its name in the list, from the best to the worst; three at most are told apart.
     Classes(Vec<String>),
+    /// Each value is the place of its name in the list, which has no order; each kind has a colour and a number.
+    Kinds(Vec<String>),
+    /// The direction of each pixel, as a unit vector to the right, up and towards the eye; values say only whether there is one.
+    Directions(Vec<[f64; 3]>),
 }
 
 impl Default for HeatScale {
@@ -72,13 +80,20 @@ pub fn heat_map(map: &HeatMap, size: [f64; 2], theme: Theme) -> Drawing {
     let mut drawing = Drawing::new(size, palette.ground);
     let room = heading(&mut drawing, map, palette);
     let (frame, pixels) = squares(map, room);
-    let notes =
-        if pixels > 1 { vec![format!("each square is the worst of {pixels} × {pixels} pixels")] } else { Vec::new() };
-    paint(&mut drawing, map, palette, frame, pixels);
+    let which = match map.scale {
+        HeatScale::Kinds(_) | HeatScale::Directions(_) => "the middle one",
+        _ => "the worst",
+    };
+    let note = || format!("each square is {which} of {pixels} × {pixels} pixels");
+    let notes: Vec<String> = (pixels > 1).then(note).into_iter().collect();
+    let squares = Squares::new(map, frame, pixels);
+    squares.paint(&mut drawing, palette);
+    signs::draw(&mut drawing, map, &squares);
     let stroke = Some(Stroke::solid(palette.faint, 1.0));
     drawing.put(Form::Rect { frame: frame.grown(0.5), fill: None, stroke }, None);
     let beside = Frame { low: [frame.high[0] + 18.0, frame.low[1]], high: [drawing.width - 4.0, drawing.height - 8.0] };
     legend::draw(&mut drawing, map, palette, beside, &notes);
+    drawing.description = map.told();
     drawing
 }
 
@@ -119,26 +134,56 @@ fn squares(map: &HeatMap, room: Frame) -> (Frame, usize) {
     }
 }
 
-/// All squares: those of one colour are one mark, and neighbours in a row are one ring.
-fn paint(drawing: &mut Drawing, map: &HeatMap, palette: &Palette, frame: Frame, pixels: usize) {
-    let columns = map.size[0].max(1).div_ceil(pixels);
-    let side = frame.size()[0] / columns as f64;
-    let mut rings: Vec<Vec<Vec<[f64; 2]>>> = vec![Vec::new(); Paint::COUNT];
-    for row in 0..map.size[1].div_ceil(pixels) {
-        let paints: Vec<Paint> = (0..columns).map(|column| Paint::of(map, worst(map, [column, row], pixels))).collect();
-        let mut column = 0;
-        for run in paints.chunk_by(|a, b| a == b) {
-            let [left, right] = [column, column + run.len()].map(|column| frame.low[0] + side * column as f64);
-            let [top, bottom] = [row, row + 1].map(|row| frame.low[1] + side * row as f64);
-            rings[run[0].index()].push(vec![[left, top], [right, top], [right, bottom], [left, bottom]]);
-            column += run.len();
+/// The squares of a map, each with what it is painted with.
+struct Squares {
+    frame: Frame,
+    /// Columns and rows of squares.
+    counts: [usize; 2],
+    /// Pixels along the side of a square.
+    pixels: usize,
+    /// Row by row from the top.
+    paints: Vec<Paint>,
+}
+
+impl Squares {
+    fn new(map: &HeatMap, frame: Frame, pixels: usize) -> Self {
+        let counts = map.size.map(|count| count.div_ceil(pixels));
+        let all = (0..counts[1]).flat_map(|row| (0..counts[0]).map(move |column| [column, row]));
+        let paint = |square: [usize; 2]| match &map.scale {
+            HeatScale::Kinds(_) | HeatScale::Directions(_) => Paint::at(map, middle(map, square, pixels)),
+            _ => Paint::of(map, worst(map, square, pixels)),
+        };
+        Self { frame, counts, pixels, paints: all.map(paint).collect() }
+    }
+
+    /// The side of a square, in points.
+    fn side(&self) -> f64 {
+        self.frame.size()[0] / self.counts[0].max(1) as f64
+    }
+
+    /// All squares: those of one colour are one mark, and neighbours in a row are one ring.
+    fn paint(&self, drawing: &mut Drawing, palette: &Palette) {
+        let (side, low) = (self.side(), self.frame.low);
+        let mut rings: BTreeMap<Paint, Vec<Vec<[f64; 2]>>> = BTreeMap::new();
+        for (row, paints) in self.paints.chunks(self.counts[0].max(1)).enumerate() {
+            let mut column = 0;
+            for run in paints.chunk_by(|a, b| a == b) {
+                let [left, right] = [column, column + run.len()].map(|column| low[0] + side * column as f64);
+                let [top, bottom] = [row, row + 1].map(|row| low[1] + side * row as f64);
+                rings.entry(run[0]).or_default().push(vec![[left, top], [right, top], [right, bottom], [left, bottom]]);
+                column += run.len();
+            }
+        }
+        for (paint, rings) in rings {
+            drawing.put(Form::Area { rings, fill: paint.colour(palette) }, None);
         }
     }
-    for (index, rings) in rings.into_iter().enumerate() {
-        if !rings.is_empty() {
-            drawing.put(Form::Area { rings, fill: Paint::from_index(index).colour(palette) }, None);
-        }
-    }
+}
+
+/// The place of the pixel in the middle of a square.
+fn middle(map: &HeatMap, square: [usize; 2], pixels: usize) -> usize {
+    let [x, y] = std::array::from_fn(|i| (square[i] * pixels + pixels / 2).min(map.size[i].saturating_sub(1)));
+    y * map.size[0] + x
 }
 
 /// The largest value of a square of pixels: what is off the scale is worse than any, and nothing better than any.
@@ -146,6 +191,42 @@ fn worst(map: &HeatMap, [column, row]: [usize; 2], pixels: usize) -> f64 {
     let range = |from: usize, end: usize| from * pixels..((from + 1) * pixels).min(end);
     let places = range(row, map.size[1]).flat_map(|y| range(column, map.size[0]).map(move |x| y * map.size[0] + x));
     places.filter_map(|place| map.values.get(place)).copied().fold(f64::NAN, f64::max)
+}
+
+impl HeatMap {
+    /// The colour of each pixel, row by row from the top.
+    #[must_use]
+    pub fn colours(&self, theme: Theme) -> Vec<Colour> {
+        (0..self.values.len()).map(|place| Paint::at(self, place).colour(theme.palette())).collect()
+    }
+
+    /// The pixel that a drawing of the map in this size has at a place; of several in one square the upper left one.
+    #[must_use]
+    pub fn pixel_at(&self, size: [f64; 2], at: Spot) -> Option<[u32; 2]> {
+        let palette = Theme::default().palette();
+        let room = heading(&mut Drawing::new(size, palette.ground), self, palette);
+        let (frame, pixels) = squares(self, room);
+        let columns = self.size[0].max(1).div_ceil(pixels);
+        let side = frame.size()[0] / columns as f64;
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "within the frame of the map")]
+        let pixel: [usize; 2] = std::array::from_fn(|i| ((at[i] - frame.low[i]) / side).max(0.0) as usize * pixels);
+        let is_within = frame.contains(at) && (0..2).all(|i| pixel[i] < self.size[i]);
+        is_within.then(|| pixel.map(|place| u32::try_from(place).unwrap_or(u32::MAX)))
+    }
+
+    /// The map in words.
+    fn told(&self) -> String {
+        let known = || self.values.iter().copied().filter(|value| value.is_finite());
+        let [least, most] = [known().fold(f64::INFINITY, f64::min), known().fold(f64::NEG_INFINITY, f64::max)];
+        let what = match &self.scale {
+            _ if known().next().is_none() => "Nothing is known of any pixel.".to_owned(),
+            HeatScale::Classes(names) | HeatScale::Kinds(names) => legend::shares(self, names),
+            HeatScale::Directions(_) => "Each pixel has the colour of its direction.".to_owned(),
+            _ => format!("From {} to {} {}.", significant(least, 3), significant(most, 3), self.unit),
+        };
+        let [width, height] = self.size;
+        format!("{}, a map of {width} × {height} pixels. {} {what}", self.title, self.notes.join(" "))
+    }
 }
 
 impl HeatScale {
@@ -156,10 +237,11 @@ impl HeatScale {
         };
         match self {
             Self::Linear(range) => between(value, *range),
+            Self::Directions(_) => 0.0,
             Self::Log(range) => {
                 between(value.max(f64::MIN_POSITIVE).log10(), range.map(|end| end.max(f64::MIN_POSITIVE).log10()))
             }
-            Self::Classes(names) => between(value, [0.0, names.len().saturating_sub(1) as f64]),
+            Self::Classes(names) | Self::Kinds(names) => between(value, [0.0, names.len().saturating_sub(1) as f64]),
         }
     }
 

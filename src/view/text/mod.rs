@@ -1,5 +1,6 @@
 //! Events in words: the one-line row, the structured detail, and the tree as text.
 
+mod beneath;
 mod detail;
 mod effect_detail;
 mod effect_row;
@@ -11,6 +12,7 @@ mod texture_detail;
 mod texture_row;
 mod tree;
 
+pub use beneath::{beneath, equated};
 pub use detail::{Detail, DetailLine, detail};
 pub use format::{brief, brief_vector, significant, span_list};
 pub(super) use format::{count, degrees};

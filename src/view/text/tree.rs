@@ -4,9 +4,10 @@
 //! printed the first time that it applies. Places in the source are left out, so that a snapshot changes when the work
 //! changes and not when a file does.
 
+use super::beneath::{beneath, equated};
 use super::detail::{DetailLine, detail};
 use super::row::row;
-use crate::record::{Event, EventId, What};
+use crate::record::{Event, EventId};
 use crate::trace::RayTree;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -28,20 +29,18 @@ fn write_event(text: &mut String, event: &Event, depth: usize, explained: &mut B
     let row = row(event);
     let gap = if row.numbers.is_empty() { "" } else { "   " };
     put_line(text, depth, &format!("{} {}{gap}{}", row.icon, row.label, row.numbers));
-    let detail = detail(event);
+    let explanation = detail(event).explanation;
     let below = depth + 2;
-    if explained.insert(detail.explanation) {
-        put_wrapped(text, below, "—", detail.explanation);
+    if explained.insert(explanation) {
+        put_wrapped(text, below, "—", explanation);
     }
-    for line in &detail.lines {
+    for line in beneath(event) {
         match line {
-            DetailLine::Pair { name, .. } if said_by_row(&event.what, name) => {}
-            DetailLine::Pair { name, .. } if event.working.iter().any(|line| line.symbol == *name) => {}
-            DetailLine::Pair { name, value } => put_wrapped(text, below, &format!("{name}:"), value),
+            DetailLine::Pair { name, value } => put_wrapped(text, below, &format!("{name}:"), &value),
             DetailLine::Working { symbol, formula, numbers, result } => {
-                put_working(text, below, symbol, [formula, numbers, result]);
+                put_working(text, below, &symbol, [&formula, &numbers, &result]);
             }
-            DetailLine::Table { headers, rows, .. } => put_table(text, below, headers, rows),
+            DetailLine::Table { headers, rows, .. } => put_table(text, below, &headers, &rows),
         }
     }
 }
@@ -52,12 +51,7 @@ const WIDTH: usize = 104;
 /// `symbol = formula = numbers = result`, without a part that says the same as the one before it, and with a line for
 /// each part where one line would be too long.
 fn put_working(text: &mut String, depth: usize, symbol: &str, parts: [&str; 3]) {
-    let mut said = vec![symbol];
-    for part in parts {
-        if said.last() != Some(&part) && !part.is_empty() {
-            said.push(part);
-        }
-    }
+    let said = equated(symbol, parts);
     let line = said.join(" = ");
     if line.chars().count() <= WIDTH || said.len() < 3 {
         put_line(text, depth, &line);
@@ -67,36 +61,6 @@ fn put_working(text: &mut String, depth: usize, symbol: &str, parts: [&str; 3]) 
     let indent = " ".repeat(symbol.chars().count());
     for part in &said[2..] {
         put_line(text, depth, &format!("{indent} = {part}"));
-    }
-}
-
-/// Whether the row above has said this already.
-fn said_by_row(what: &What, name: &str) -> bool {
-    match what {
-        What::Pixel { .. }
-        | What::LooseRay { .. }
-        | What::Rejected { .. }
-        | What::Nothing { .. }
-        | What::Ambient { .. }
-        | What::Primitive { .. } => true,
-        What::Ray { .. } => matches!(name, "kind" | "depth" | "weight"),
-        What::Object { .. } | What::Extent { .. } | What::Ball { .. } => name == "inside",
-        What::Quadratic { .. } => matches!(name, "equation" | "roots"),
-        What::Implicit { .. } => name == "zeros",
-        What::Medium { .. } => matches!(name, "before" | "after"),
-        What::Limit { .. } => name == "therefore",
-        What::Texture(_) => matches!(name, "kind" | "colour"),
-        What::Detail(_) | What::Mapping(_) => matches!(name, "u, v" | "s, t"),
-        What::Undulate(_) => matches!(name, "argument" | "colour"),
-        What::Texels(_) => name == "weighted sum",
-        What::Lattice(_) => name == "noise, the sum",
-        What::Octaves(_) => name == "sum",
-        What::Rings(_) => matches!(name, "ring" | "stirred, in rings"),
-        What::Bump(_) => matches!(name, "unit normal after" | "angle between them"),
-        What::FrameMap(_) => matches!(name, "turned about N" | "N tilted, as slopes along and across the grain"),
-        What::Environment(_) => name == "what came out",
-        What::Shadow { .. } => matches!(name, "in the way" | "passes"),
-        _ => false,
     }
 }
 

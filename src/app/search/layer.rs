@@ -1,0 +1,61 @@
+//! What lies over the picture: hatched pixels with an outline, or a map.
+
+use crate::app::frame::theme::colour;
+use crate::query::Search;
+use crate::view::{HeatMap, Theme};
+use egui::{Color32, ColorImage, Context, TextureHandle, TextureOptions};
+
+/// Something over the picture, in its size.
+pub struct Layer {
+    /// The pixels.
+    pub texture: TextureHandle,
+    /// How much of it is seen: white for all, fainter for less.
+    pub tint: Color32,
+}
+
+/// The hatching of pixels that were found: light and dark by turns, so that it is seen on any picture.
+const LIGHT: Color32 = Color32::from_rgba_premultiplied(230, 230, 230, 230);
+const DARK: Color32 = Color32::from_rgba_premultiplied(10, 10, 16, 200);
+/// Pixels of the picture from one line of the hatching to the next.
+const PERIOD: u32 = 6;
+
+/// The pixels that were found: an outline, and lines across where there is room for them.
+pub fn found(search: &Search) -> ColorImage {
+    let [width, height] = search.grid.size;
+    let matches = |x: i64, y: i64| {
+        let inside = u32::try_from(x).ok().zip(u32::try_from(y).ok());
+        inside.and_then(|pixel| search.grid.at(pixel.into())).unwrap_or(false)
+    };
+    let pixel = |x: u32, y: u32| {
+        let [column, row] = [i64::from(x), i64::from(y)];
+        if !matches(column, row) {
+            return Color32::TRANSPARENT;
+        }
+        let is_rim = [(1, 0), (-1, 0), (0, 1), (0, -1)].iter().any(|(dx, dy)| !matches(column + dx, row + dy));
+        match (x + y) % PERIOD {
+            _ if is_rim => LIGHT,
+            0 => LIGHT,
+            1 => DARK,
+            _ => Color32::TRANSPARENT,
+        }
+    };
+    let pixels = (0..height).flat_map(|y| (0..width).map(move |x| (x, y))).map(|(x, y)| pixel(x, y)).collect();
+    ColorImage::new([width, height].map(|side| side as usize), pixels)
+}
+
+/// A map in its colours.
+pub fn map(map: &HeatMap, theme: Theme) -> ColorImage {
+    ColorImage::new(map.size, map.colours(theme).into_iter().map(colour).collect())
+}
+
+/// Puts a layer where it can be drawn from.
+pub fn upload(ctx: &Context, name: &str, image: ColorImage) -> TextureHandle {
+    ctx.load_texture(name, image, TextureOptions::NEAREST)
+}
+
+/// Drops what may be large, in a thread of its own: that can take longer than a frame has.
+pub fn drop_elsewhere<T: Send + 'static>(old: Option<T>) {
+    let Some(old) = old else { return };
+    // Where no thread can be started it is dropped here.
+    let _ = std::thread::Builder::new().name("drop".to_owned()).spawn(move || drop(old));
+}

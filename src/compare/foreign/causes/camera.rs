@@ -1,0 +1,65 @@
+//! What can be wrong with the ray through a pixel.
+
+use super::{
+    ASPECT, Case, FIELD_OF_VIEW, Guess, PICTURE_MIRRORED, PICTURE_UPSIDE_DOWN, PIXEL_CORNER, PIXEL_SHIFTED,
+    VIEW_BACKWARDS, number,
+};
+use crate::record::What;
+use glam::DVec3;
+
+/// Guesses about the direction of the ray from the eye.
+pub fn of_direction(case: Case, guesses: &mut Vec<Guess>) {
+    let Some(What::Pixel { x, y, .. }) = case.ours.tree.events.first().map(|event| &event.what) else {
+        return of_loose_ray(case, guesses);
+    };
+    let scene = case.ours.scene;
+    let (camera, image) = (&scene.camera, scene.image);
+    let (x, y) = (f64::from(*x), f64::from(*y));
+    let (width, height) = (f64::from(image.width), f64::from(image.height));
+    let through = |a: f64, b: f64| camera.ray_direction(image, a, b);
+    let place = |a: f64, b: f64| format!("through ({}, {}): dir", number(a), number(b));
+    for (cause, a, b) in [
+        (&PIXEL_CORNER, x, y),
+        (&PIXEL_CORNER, x + 1.0, y + 1.0),
+        (&PIXEL_CORNER, x + 0.5, y),
+        (&PIXEL_CORNER, x, y + 0.5),
+        (&PIXEL_SHIFTED, x - 0.5, y - 0.5),
+        (&PIXEL_SHIFTED, x + 1.5, y + 1.5),
+        (&PIXEL_SHIFTED, y + 0.5, x + 0.5),
+        (&PICTURE_UPSIDE_DOWN, x + 0.5, height - y - 0.5),
+        (&PICTURE_UPSIDE_DOWN, x + 0.5, height - y + 0.5),
+        (&PICTURE_UPSIDE_DOWN, x + 0.5, height - y - 1.5),
+        (&PICTURE_MIRRORED, width - x - 0.5, y + 0.5),
+        // A picture whose first and last columns lie on its edges.
+        (&PIXEL_CORNER, x * width / (width - 1.0).max(1.0), y * height / (height - 1.0).max(1.0)),
+    ] {
+        guesses.push(Guess::vector(cause, place(a, b), through(a, b)));
+    }
+    let [across, up] = [2.0 * (x + 0.5) / width - 1.0, 1.0 - 2.0 * (y + 0.5) / height];
+    let h = camera.half_height;
+    let plane = |a: f64, b: f64| camera.forward + camera.right * a + camera.up * b;
+    let whole = (2.0 * h.atan()).tan();
+    let degrees = h.atan().to_degrees();
+    let ratio = width / height;
+    for (cause, how, a, b) in [
+        (&ASPECT, "a = (2 x / W − 1) h, without W / H: dir", across * h, up * h),
+        (&ASPECT, "a = (2 x / W − 1) h H / W: dir", across * h / ratio, up * h),
+        (&FIELD_OF_VIEW, "the angle taken horizontally, b = (1 − 2 y / H) h H / W: dir", across * h, up * h / ratio),
+        (&FIELD_OF_VIEW, "h = tan of the whole angle: dir", across * whole * ratio, up * whole),
+        (&FIELD_OF_VIEW, "h = tan of a number of degrees: dir", across * degrees.tan() * ratio, up * degrees.tan()),
+        (&FIELD_OF_VIEW, "h = the half angle itself: dir", across * h.atan() * ratio, up * h.atan()),
+        (&FIELD_OF_VIEW, "h twice as large: dir", across * 2.0 * h * ratio, up * 2.0 * h),
+        (&FIELD_OF_VIEW, "h half as large: dir", across * 0.5 * h * ratio, up * 0.5 * h),
+    ] {
+        guesses.push(Guess::vector(cause, how, plane(a, b)));
+    }
+    let ours = case.direction();
+    guesses.push(Guess::vector(&VIEW_BACKWARDS, "−dir", -ours));
+    let beside = ours - 2.0 * ours.dot(camera.forward) * camera.forward;
+    guesses.push(Guess::vector(&VIEW_BACKWARDS, "−forward + a right + b up", beside));
+}
+
+fn of_loose_ray(case: Case, guesses: &mut Vec<Guess>) {
+    let backwards: DVec3 = -case.direction();
+    guesses.push(Guess::vector(&VIEW_BACKWARDS, "−dir", backwards));
+}

@@ -1,0 +1,170 @@
+//! Layouts, panels, commands, keys, help and settings, as a person uses them.
+#![cfg(feature = "workbench")]
+
+mod hands;
+
+use egui::accesskit::Role;
+use egui::{Event, Key, Modifiers, Vec2};
+use egui_kittest::kittest::Queryable;
+use hands::*;
+use rayscope::app::{Command, HelpCommand, Pane, Preset, ViewCommand};
+use rayscope::words::Language;
+
+fn press_with(bench: &mut Bench, modifiers: Modifiers, key: Key) {
+    bench.key_press_modifiers(modifiers, key);
+    settle(bench);
+}
+
+fn type_text(bench: &mut Bench, text: &str) {
+    bench.event(Event::Text(text.to_owned()));
+    settle(bench);
+}
+
+fn click_button(bench: &mut Bench, name: &str) {
+    bench.get_by_role_and_label(Role::Button, name).click();
+    settle(bench);
+}
+
+#[test]
+fn each_layout_shows_its_panels_and_is_kept_as_it_was_left() {
+    let mut bench = open("hello/sphere");
+    assert!(workbench(&bench).dock().shows(Pane::Story));
+    click_button(&mut bench, "Measure");
+    assert_eq!(workbench(&bench).dock().preset(), Preset::Measure);
+    assert!(workbench(&bench).dock().shows(Pane::Accuracy));
+    click_button(&mut bench, "Learn");
+    assert!(workbench(&bench).dock().shows(Pane::Detail));
+    run(&mut bench, ViewCommand::Pane(Pane::Detail));
+    assert!(!workbench(&bench).dock().holds(Pane::Detail));
+    let kept = workbench(&bench).keep();
+    let mut next = open("hello/sphere");
+    workbench_mut(&mut next).take_up(&kept);
+    settle(&mut next);
+    assert!(!workbench(&next).dock().holds(Pane::Detail));
+    run(&mut next, ViewCommand::ResetLayout);
+    assert!(workbench(&next).dock().shows(Pane::Detail));
+}
+
+#[test]
+fn every_panel_can_be_shown_in_every_language_without_a_missing_glyph() {
+    // The harness panics where a glyph is missing or two things have one name.
+    for language in Language::ALL {
+        let mut bench = open("csg/bowl");
+        run(&mut bench, ViewCommand::Language(language));
+        for pane in Pane::ALL {
+            reveal(&mut bench, pane);
+            assert!(workbench(&bench).dock().shows(pane), "{pane:?}");
+        }
+        for preset in Preset::ALL {
+            run(&mut bench, ViewCommand::Layout(preset));
+        }
+    }
+}
+
+#[test]
+fn f6_goes_round_the_panels_and_f11_gives_one_the_window() {
+    let mut bench = open("hello/sphere");
+    press(&mut bench, Key::F6);
+    let first = workbench(&bench).dock().current().expect("F6 chose a panel");
+    press(&mut bench, Key::F6);
+    let second = workbench(&bench).dock().current().expect("F6 chose a panel");
+    assert_ne!(first, second);
+    press_with(&mut bench, Modifiers::SHIFT, Key::F6);
+    assert_eq!(workbench(&bench).dock().current(), Some(first));
+    press(&mut bench, Key::F11);
+    assert!(workbench(&bench).dock().shows(first) && !workbench(&bench).dock().shows(second));
+    click_button(&mut bench, "Back to all panels");
+    assert!(workbench(&bench).dock().shows(second));
+}
+
+#[test]
+fn the_palette_finds_a_command_by_a_few_letters_and_enter_runs_it() {
+    let mut bench = open("hello/sphere");
+    press_with(&mut bench, Modifiers::COMMAND, Key::K);
+    type_text(&mut bench, "high contrast");
+    press(&mut bench, Key::Enter);
+    assert!(workbench(&bench).settings().is_high_contrast);
+    press_with(&mut bench, Modifiers::COMMAND, Key::K);
+    type_text(&mut bench, "csg/lens");
+    press(&mut bench, Key::Enter);
+    assert_eq!(workbench(&bench).scene().expect("a scene is open").name, "csg/lens");
+}
+
+#[test]
+fn escape_closes_the_palette_and_nothing_happens() {
+    let mut bench = open("hello/sphere");
+    let before = selected(&bench);
+    press_with(&mut bench, Modifiers::COMMAND, Key::K);
+    assert!(bench.query_by_role(Role::TextInput).is_some());
+    press(&mut bench, Key::Escape);
+    assert!(bench.query_by_label_contains("Type a few letters").is_none());
+    assert_eq!(selected(&bench), before);
+}
+
+#[test]
+fn the_table_of_keys_shows_every_command_that_has_one() {
+    let mut bench = open_at("hello/sphere", Vec2::new(1280.0, 2400.0));
+    press(&mut bench, Key::F1);
+    for command in Command::all().into_iter().filter(|command| command.key().is_some()) {
+        let about = rayscope::words::say(Language::English, &format!("{}-about", command.word()));
+        assert!(bench.query_all_by_label(&about).next().is_some(), "{about}");
+    }
+    click_button(&mut bench, "Close");
+    assert!(bench.query_by_label("Within panels").is_none());
+}
+
+#[test]
+fn the_tour_is_offered_once_and_leads_to_the_end() {
+    let mut bench = open("hello/sphere");
+    workbench_mut(&mut bench).offer_tour();
+    settle(&mut bench);
+    assert!(bench.query_by_label("Stop 1 of 6").is_some());
+    for stop in 2..=6 {
+        press(&mut bench, Key::Enter);
+        assert!(bench.query_by_label(&format!("Stop {stop} of 6")).is_some(), "{stop}");
+    }
+    click_button(&mut bench, "Begin");
+    assert!(workbench(&bench).settings().is_toured);
+    workbench_mut(&mut bench).offer_tour();
+    settle(&mut bench);
+    assert!(bench.query_by_label("Stop 1 of 6").is_none());
+    run(&mut bench, HelpCommand::Tour);
+    assert!(bench.query_by_label("Stop 1 of 6").is_some());
+}
+
+#[test]
+fn the_interface_speaks_german_when_told_to() {
+    let mut bench = open("hello/sphere");
+    run(&mut bench, ViewCommand::Language(Language::German));
+    assert!(bench.query_by_role_and_label(Role::Button, "Lernen").is_some());
+    assert!(bench.query_by_role_and_label(Role::Button, "Learn").is_none());
+}
+
+#[test]
+fn everything_grows_and_shrinks_between_half_and_three_times() {
+    let mut bench = open("hello/sphere");
+    for _ in 0..12 {
+        press_with(&mut bench, Modifiers::COMMAND, Key::Plus);
+    }
+    assert_eq!(workbench(&bench).settings().zoom, 3.0);
+    for _ in 0..24 {
+        press_with(&mut bench, Modifiers::COMMAND, Key::Minus);
+    }
+    assert_eq!(workbench(&bench).settings().zoom, 0.5);
+    press_with(&mut bench, Modifiers::COMMAND, Key::Num0);
+    assert_eq!(workbench(&bench).settings().zoom, 1.0);
+}
+
+#[test]
+fn every_command_of_the_menus_can_be_run_without_harm() {
+    let mut bench = open("csg/bowl");
+    // The dialogue of the system is not for tests.
+    let opens_dialogue = |command: &Command| command.word().starts_with("scene-");
+    for command in Command::all().into_iter().filter(|command| !opens_dialogue(command)) {
+        if command.is_possible(workbench(&bench)) {
+            run(&mut bench, command);
+        }
+        press(&mut bench, Key::Escape);
+    }
+    assert!(workbench(&bench).scene().is_some());
+}
