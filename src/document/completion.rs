@@ -64,7 +64,7 @@ fn keys(guide: &Guide, whole: &Value, object: &Place, own: Option<&str>, has_val
         let properties = rule.get("properties").and_then(Value::as_object);
         for (name, property) in properties.into_iter().flatten() {
             let Some(property) = property.as_object() else { continue };
-            let is_wanted = !is_written(name) && tag.is_none_or(|tag| tag == name);
+            let is_wanted = !is_written(name) && tag.is_none_or(|tag| tag == name) && is_meant(object, name);
             if is_wanted && tag.is_some() {
                 items.push(tag_item(guide, rule, name, has_value));
             } else if is_wanted && !items.iter().any(|item| item.label == *name) {
@@ -74,6 +74,12 @@ fn keys(guide: &Guide, whole: &Value, object: &Place, own: Option<&str>, has_val
     }
     items.sort_by_key(|item| !item.required);
     items
+}
+
+/// The schema has one kind of solid; only objects, which are not parts of others, have a priority.
+pub(super) fn is_meant(solid: &Place, name: &str) -> bool {
+    let is_object = matches!(&solid.0[..], [Step::Field(list), Step::Item(_)] if list == "objects");
+    name != "priority" || is_object
 }
 
 /// The field by which alternatives are told apart: each needs it, and each gives it another value.

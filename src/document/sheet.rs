@@ -1,6 +1,6 @@
 //! The properties of a thing of the scene, each with its value, what it may be, and what it means: from the schema.
 
-use super::completion::{names_for, value_at};
+use super::completion::{is_meant, names_for, value_at};
 use super::guide::{Allowed, Guide, Rule};
 use super::place::Place;
 use serde_json::Value;
@@ -103,7 +103,8 @@ impl Sheet<'_> {
             properties: Vec::new(),
             step,
         });
-        for (name, _) in rule.get("properties").and_then(Value::as_object).into_iter().flatten() {
+        let names = rule.get("properties").and_then(Value::as_object).into_iter().flatten().map(|(name, _)| name);
+        for name in names.filter(|name| is_meant(place, name)) {
             let place = place.field(name);
             let written = value_at(self.whole, &place);
             let allowed = self.guide.at(self.whole, &place);

@@ -17,7 +17,7 @@ use egui::{
 use std::sync::Arc;
 
 /// Height of the line below the text, in points.
-const FOOT: f32 = 44.0;
+const FOOT: f32 = 56.0;
 /// Width of a digit of the line numbers, as a part of its height.
 const DIGIT: f32 = 0.62;
 
@@ -235,6 +235,7 @@ impl Editing {
 
     /// The first error, or what the place at the cursor means.
     fn foot_ui(&mut self, ui: &mut Ui) {
+        ui.spacing_mut().item_spacing.y = 2.0;
         let palette = Palette::current(ui.ctx());
         let cursor = self.document.selection().head;
         let here = self.flaws.iter().find(|flaw| flaw.range.start <= cursor && cursor <= flaw.range.end);
