@@ -202,6 +202,29 @@ fn an_object_is_moved_by_dragging_it_in_the_picture_and_one_undo_takes_it_back()
 }
 
 #[test]
+fn a_drag_moves_the_whole_object_unless_a_part_of_it_was_chosen() {
+    let translate = |bench: &Bench, place: &str| {
+        let value: serde_json::Value = serde_json::from_str(&text(bench)).expect("JSON");
+        value.pointer(place).cloned()
+    };
+    let mut bench = open_editor("csg/bowl");
+    let pixel = workbench(&bench).scene().expect("open").scene.pixels[0];
+    let wall = place_of(&bench, pixel);
+    click(&mut bench, wall);
+    run(&mut bench, rayscope::app::Command::Edit(EditCommand::Move));
+    drag(&mut bench, wall, wall + Vec2::new(10.0, 0.0));
+    assert_eq!(workbench(&bench).document().undo_name(), Some("Move bowl"));
+    assert_ne!(translate(&bench, "/objects/0/transform/0/translate"), Some(serde_json::json!([0, 0, 1.5])));
+    run(&mut bench, rayscope::app::Command::Edit(EditCommand::Undo));
+    follow(&mut bench);
+    put_cursor(&mut bench, "\"S₁\"", false);
+    drag(&mut bench, wall, wall + Vec2::new(10.0, 0.0));
+    assert_eq!(workbench(&bench).document().undo_name(), Some("Move S₁"));
+    assert!(translate(&bench, "/objects/0/of/0/transform/1/translate").is_some(), "a further step moves the part");
+    assert_eq!(translate(&bench, "/objects/0/transform/0/translate"), Some(serde_json::json!([0, 0, 1.5])));
+}
+
+#[test]
 fn in_the_side_view_an_object_is_moved_within_its_plane_and_along_an_axis_with_shift() {
     let mut bench = open_editor("hello/sphere");
     run(&mut bench, rayscope::app::Command::Edit(EditCommand::Move));

@@ -9,7 +9,8 @@ use crate::app::edit::properties::Properties;
 use crate::app::edit::recovery::Recovery;
 use crate::app::edit::saving::Saving;
 use crate::document::{
-    Cause, Document, Flaw, Place, Recovered, Selection, Structure, Target, flaws, object_and_leaf, place_of_leaf,
+    Cause, Document, Flaw, Place, Recovered, Selection, Structure, Target, flaws, object_and_leaf, object_at,
+    place_of_leaf,
 };
 use crate::record::What;
 use crate::scene::{Diagnostics, Scene};
@@ -34,6 +35,8 @@ pub struct Editing {
     pub is_seen: bool,
     /// Where the thing stands that is being edited.
     pub target: Option<Place>,
+    /// Whether that is a part which nobody chose, but which was hit: then the whole object is moved.
+    pub is_guess: bool,
     /// Compiles the text.
     pub live: Live,
     /// The pane of the text.
@@ -170,14 +173,22 @@ impl Editing {
             self.document.select(Selection::at(range.start));
             self.editor.show_cursor();
         }
-        self.target = Some(place);
+        (self.target, self.is_guess) = (Some(place), false);
+    }
+
+    /// What is moved: the thing that is being edited, or the object of a part that was only hit.
+    #[must_use]
+    pub fn movable(&self) -> Option<Place> {
+        let target = self.target.as_ref()?;
+        let object = object_at(target).filter(|_| self.is_guess);
+        Some(object.map_or_else(|| target.clone(), |index| Place::ROOT.field("objects").item(index)))
     }
 
     /// Edits what the cursor is in.
     pub fn follow_cursor(&mut self) {
         let place = self.analysis.syntax.place_at(self.document.selection().head);
         if let Some(target) = self.analysis.target_of(&place) {
-            self.target = Some(self.analysis.targets[target].place.clone());
+            (self.target, self.is_guess) = (Some(self.analysis.targets[target].place.clone()), false);
         }
     }
 
@@ -186,6 +197,7 @@ impl Editing {
         let (What::Hit { object, leaf, .. } | What::Rejected { object, leaf, .. }) = what else { return };
         if let Some((object, leaf)) = object_and_leaf(&scene.objects, object, leaf) {
             self.choose(place_of_leaf(&self.analysis.whole, object, leaf));
+            self.is_guess = true;
         }
     }
 

@@ -73,8 +73,8 @@ pub fn in_section(editing: &Editing, scene: &Scene, plane: &PlaneView, at: Vec2)
 
 /// The object of this number, or the part of it that is being edited.
 fn chosen_part(editing: &Editing, index: usize) -> Place {
-    let part = editing.target.as_ref().filter(|target| object_at(target) == Some(index));
-    part.cloned().unwrap_or_else(|| Place::ROOT.field("objects").item(index))
+    let part = editing.movable().filter(|target| object_at(target) == Some(index));
+    part.unwrap_or_else(|| Place::ROOT.field("objects").item(index))
 }
 
 /// The light whose mark is near the pointer, with where it is.

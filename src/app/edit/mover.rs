@@ -127,7 +127,8 @@ impl Editing {
 
     fn move_thing(&mut self, ctx: &Context, whole: &Value, thing: &Place, by: DVec3, gesture: String, decimals: i32) {
         let Some(settings) = moved(whole, thing, by, decimals) else { return };
-        let name = self.target().map_or_else(|| thing.to_string(), |target| target.name.clone());
+        let target = self.analysis.targets.iter().find(|target| target.place == *thing);
+        let name = target.map_or_else(|| thing.to_string(), |target| target.name.clone());
         let name = if name.is_empty() { say(ctx, "edit-camera") } else { name };
         let cause = say_with(ctx, "edit-cause-move", &[("thing", (&name).into())]);
         self.set(&settings, &Cause::part_of(cause, gesture));
@@ -138,7 +139,7 @@ impl Editing {
         if !self.mover.is_on || ctx.memory(|memory| memory.focused()) != Some(picture) {
             return;
         }
-        let Some(thing) = self.target.clone() else { return };
+        let Some(thing) = self.movable() else { return };
         let (camera, image) = (&scene.camera, scene.image);
         let step = KEY_STEP * f64::from(image.width);
         let across = |right: f64, down: f64| {
