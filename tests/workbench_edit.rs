@@ -285,6 +285,8 @@ fn another_shape_comes_with_its_own_parameters_and_one_undo_takes_it_back() {
 #[test]
 fn words_are_found_and_gone_through() {
     let mut bench = open_editor("hello/sphere");
+    workbench_mut(&mut bench).put_cursor(0);
+    settle(&mut bench);
     bench.key_press_modifiers(Modifiers::COMMAND, Key::F);
     settle(&mut bench);
     type_text(&mut bench, "SPHERE");

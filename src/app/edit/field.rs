@@ -155,7 +155,10 @@ fn choice(
             }
         }
     });
-    shown.response.labelled_by(label);
+    // Its own name would be the chosen word.
+    let name = property.name.replace('_', " ");
+    let response = shown.response.labelled_by(label);
+    ui.ctx().accesskit_node_builder(response.id, |node| node.set_label(name));
 }
 
 /// How much a point of dragging changes a value of this size.
