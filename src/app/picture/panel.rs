@@ -2,7 +2,8 @@
 
 use crate::app::frame::theme::Palette;
 use crate::app::frame::words::{say, say_with};
-use crate::app::picture::overlay::{draw_crosshair, draw_hits};
+use crate::app::picture::hits::Hits;
+use crate::app::picture::overlay::draw_crosshair;
 use crate::app::picture::placement::Placement;
 use crate::app::picture::reading::Reading;
 use crate::app::search::pane::Layer;
@@ -20,6 +21,7 @@ const READOUT: f32 = 26.0;
 #[derive(Debug, Default)]
 pub struct ImagePanel {
     reading: Option<Reading>,
+    hits: Hits,
 }
 
 /// What the panel shows.
@@ -70,7 +72,7 @@ impl ImagePanel {
         }
         painter.rect_stroke(place.rect, 0.0, Stroke::new(1.0, palette.edge), StrokeKind::Outside);
         if let Some(recording) = view.recording {
-            draw_hits(&painter, view.scene, &place, recording);
+            self.hits.draw(&painter, view.scene, &place, recording);
             draw_crosshair(&painter, place.pixel_rect(recording.pixel), place.rect);
         }
         if response.has_focus() {
