@@ -6,6 +6,7 @@
 
 mod accuracy;
 mod command;
+mod compare;
 mod dock;
 mod drawings;
 mod effects;
@@ -24,7 +25,7 @@ mod window;
 mod workbench;
 
 pub use command::{
-    Command, Commands, HelpCommand, SceneCommand, SearchCommand, ShareCommand, StepCommand, ViewCommand,
+    Command, Commands, CompareCommand, HelpCommand, SceneCommand, SearchCommand, ShareCommand, StepCommand, ViewCommand,
 };
 pub use dock::{Dock, Preset};
 pub use pane::Pane;

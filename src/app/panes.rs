@@ -26,6 +26,7 @@ impl Workbench {
                     self.select(event);
                 }
             }
+            Pane::Compare => self.compare_pane(ui),
             Pane::Accuracy => self.accuracy_pane(ui),
             Pane::Effects => self.effects_pane(ui),
             Pane::Search => self.search_pane(ui),
@@ -35,10 +36,14 @@ impl Workbench {
             | Pane::Signs
             | Pane::Snell
             | Pane::Shading
-            | Pane::Planes
-            | Pane::Compare
-            | Pane::Editor
-            | Pane::Properties => empty(ui, &say(ui.ctx(), &format!("{}-about", pane.word()))),
+            | Pane::Planes => {
+                if let Some(event) = self.drawings.ui(ui, pane, self.recording.as_mut()) {
+                    self.select(event);
+                }
+            }
+            Pane::Editor | Pane::Properties => {
+                empty(ui, &say(ui.ctx(), &format!("{}-about", pane.word())));
+            }
         }
     }
 
@@ -51,7 +56,10 @@ impl Workbench {
                 None
             }
             Pane::Story => Some(story_pane::position(ui.ctx(), self)),
-            _ => None,
+            _ => {
+                self.drawings.tools(ui, pane, self.recording.as_mut());
+                None
+            }
         };
         share::tools(ui, self, pane);
         if let Some(state) = state {
@@ -101,6 +109,14 @@ impl Workbench {
         let wish = padded(ui, |ui| self.accuracy.ui(ui, open, self.recording.as_ref()));
         if let Some(wish) = wish {
             self.grant(ui.ctx(), wish);
+        }
+    }
+
+    fn compare_pane(&mut self, ui: &mut Ui) {
+        let Some(open) = &self.open else { return empty(ui, &say(ui.ctx(), "no-scene")) };
+        let wish = padded(ui, |ui| self.compare.ui(ui, open, self.recording.as_ref()));
+        if let Some(wish) = wish {
+            self.grant_comparison(wish);
         }
     }
 

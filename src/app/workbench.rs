@@ -2,7 +2,9 @@
 
 use crate::app::accuracy::pane::{AccuracyPane, Wish};
 use crate::app::command::Command;
+use crate::app::compare::pane::ComparePane;
 use crate::app::dock::Dock;
+use crate::app::drawings::all::Drawings;
 use crate::app::drawings::plots::PlotsPanel;
 use crate::app::drawings::side::SidePanel;
 use crate::app::effects::pane::EffectsPane;
@@ -78,9 +80,11 @@ pub struct Workbench {
     pub(in crate::app) image: ImagePanel,
     pub(in crate::app) side: SidePanel,
     pub(in crate::app) plots: PlotsPanel,
+    pub(in crate::app) drawings: Drawings,
     pub(in crate::app) effects: EffectsPane,
     pub(in crate::app) accuracy: AccuracyPane,
     pub(in crate::app) search: SearchPane,
+    pub(in crate::app) compare: ComparePane,
     pub(in crate::app) dock: Dock,
     pub(in crate::app) settings: Settings,
     pub(in crate::app) help: Help,
@@ -106,9 +110,11 @@ impl Workbench {
             image: ImagePanel::default(),
             side: SidePanel::default(),
             plots: PlotsPanel::default(),
+            drawings: Drawings::default(),
             effects: EffectsPane::default(),
             accuracy: AccuracyPane::default(),
             search: SearchPane::default(),
+            compare: ComparePane::default(),
             dock: Dock::default(),
             settings: Settings::default(),
             help: Help::default(),
@@ -331,10 +337,14 @@ impl Workbench {
         if let Some(path) = self.dialog.chosen() {
             self.open_scene(ctx, &path.display().to_string());
         }
+        if self.compare.take_file() {
+            self.dock.reveal(Pane::Compare);
+        }
         let dropped = ctx.input(|input| input.raw.dropped_files.first().cloned());
         if let Some(file) = dropped {
             let name = file.path().display().to_string();
             match file.bytes().map(String::from_utf8) {
+                Ok(Ok(text)) if name.ends_with(".jsonl") => self.open_foreign(&name, &text),
                 Ok(Ok(text)) => self.open_text(ctx, &name, &text),
                 Ok(Err(_)) => self.refuse(&name, "The file is not text, so it is no scene.".to_owned()),
                 Err(error) => self.refuse(&name, format!("The file cannot be read: {error}.")),

@@ -285,7 +285,10 @@ impl Strip<'_> {
         for lane in 0..lanes {
             let top = self.top + height * lane as f64;
             let deepest = lane + 1 == lanes && lanes < survey.bars.len();
-            self.head(lane, top + height / 2.0, deepest);
+            // Numbers of low lanes would lie on each other.
+            if height >= TEXT || lane == 0 || lane + 1 == lanes {
+                self.head(lane, top + height / 2.0, deepest);
+            }
             let sharing = if deepest { &survey.bars[lane..] } else { &survey.bars[lane..=lane] };
             self.bars(sharing, top + height);
         }

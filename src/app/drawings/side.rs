@@ -1,6 +1,7 @@
 //! The side view: the scene cut open along the ray, with everything up to the selected event drawn in.
 
 use crate::app::drawings::canvas::Canvas;
+use crate::app::drawings::seen::describe;
 use crate::app::frame::empty::empty;
 use crate::app::frame::theme::drawing_theme;
 use crate::app::story::recording::Recording;
@@ -45,12 +46,14 @@ struct Key {
     theme: Theme,
     size: [u32; 2],
     sight: Sight,
+    probe_t: Option<f64>,
     pixels_per_point: f32,
 }
 
 impl PartialEq for Key {
     fn eq(&self, other: &Self) -> bool {
-        let rest = |key: &Self| (key.step, key.plane, key.theme, key.size, key.sight, key.pixels_per_point);
+        let rest =
+            |key: &Self| (key.step, key.plane, key.theme, key.size, key.sight, key.probe_t, key.pixels_per_point);
         Arc::ptr_eq(&self.scene, &other.scene) && Arc::ptr_eq(&self.tree, &other.tree) && rest(self) == rest(other)
     }
 }
@@ -63,6 +66,7 @@ impl Key {
             plane: self.plane,
             zoom: self.sight.zoom,
             pan: self.sight.pan,
+            probe_t: self.probe_t,
         };
         side_view(&self.scene, &self.tree, self.step, &options)
     }
@@ -116,6 +120,9 @@ impl SidePanel {
         let key = self.key(ui, scene, recording, rect);
         let wanted = key.clone();
         let shown = self.canvas.update(ui.ctx(), &key, move || Some(wanted.draw()))?;
+        if let Some(drawing) = &shown.drawing {
+            describe(ui, &response, "pane-side", drawing);
+        }
         if let Some(texture) = &shown.texture {
             // A drawing that is a moment old is moved to where the new one will be.
             let place = moved(rect, &shown.key, &key);
@@ -137,6 +144,7 @@ impl SidePanel {
             theme: drawing_theme(ui.ctx()),
             size,
             sight: self.sight,
+            probe_t: recording.probe_t,
             pixels_per_point: ui.pixels_per_point(),
         }
     }

@@ -36,7 +36,7 @@ fn line(ui: &mut Ui, place: usize, breakpoint: &Breakpoint) -> Option<Change> {
     let question = breakpoint.query.to_string();
     let name = breakpoint.title.map_or_else(|| question.clone(), str::to_owned);
     let mut change = None;
-    ui.horizontal(|ui| {
+    ui.horizontal_wrapped(|ui| {
         let mut enabled = breakpoint.enabled;
         let tick = ui.checkbox(&mut enabled, &name).on_hover_text(&question);
         if tick.changed() {
@@ -59,7 +59,7 @@ fn new(ui: &mut Ui, workbench: &mut Workbench) {
     ui.horizontal(|ui| {
         let stepping = &mut workbench.stepping;
         let label = ui.label(say(ui.ctx(), "step-breakpoint-new"));
-        let width = (ui.available_width() - 90.0).max(60.0);
+        let width = (ui.available_width() - 120.0).max(60.0);
         let hint = say(ui.ctx(), "step-breakpoint-hint");
         let field = TextEdit::singleline(&mut stepping.question).desired_width(width).hint_text(hint);
         let field = ui.add(field).labelled_by(label.id);
@@ -78,7 +78,10 @@ fn new(ui: &mut Ui, workbench: &mut Workbench) {
                 stepping.question.clear();
                 stepping.question_problem = None;
             }
-            Err(error) => stepping.question_problem = Some(error.to_string()),
+            Err(error) => {
+                stepping.question_problem = Some(error.to_string());
+                stepping.wants_focus = true;
+            }
         }
     }
     if let Some(problem) = &workbench.stepping.question_problem {
@@ -94,7 +97,6 @@ fn search(ui: &mut Ui, workbench: &mut Workbench) {
             begin = button.on_hover_text(say(ui.ctx(), "step-until-about")).clicked();
         }
         Some(count) => {
-            ui.spinner();
             ui.label(say_with(ui.ctx(), "step-until-searching", &[("count", count.into())]));
             cancel = ui.button(say(ui.ctx(), "step-until-cancel")).clicked();
         }

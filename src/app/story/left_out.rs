@@ -26,18 +26,18 @@ pub fn ui(ui: &mut Ui, workbench: &mut Workbench) {
         ui.label(say(ui.ctx(), "step-left-out-nothing"));
         return;
     }
+    // The first kind that there is stands for none chosen.
+    let first = all.into_iter().find(|(_, count)| *count > 0).map(|(one, _)| one);
+    let chosen = cut.filter(|one| !story.index().cut_events(*one).is_empty()).or(first);
     ui.horizontal_wrapped(|ui| {
         for (one, count) in all.into_iter().filter(|(_, count)| *count > 0) {
             let name = say_with(ui.ctx(), word(one), &[("count", count.into())]);
-            if ui.selectable_label(cut == Some(one), name).clicked() {
-                cut = if cut == Some(one) { None } else { Some(one) };
+            if ui.selectable_label(chosen == Some(one), name).clicked() {
+                cut = Some(one);
             }
         }
     });
     workbench.stepping.cut = cut;
-    // The first kind that there is stands for none chosen.
-    let first = all.into_iter().find(|(_, count)| *count > 0).map(|(one, _)| one);
-    let chosen = cut.filter(|one| !story.index().cut_events(*one).is_empty()).or(first);
     let clicked = chosen.and_then(|one| list(ui, story, one));
     if let (Some(event), Some(recording)) = (clicked, &mut workbench.recording) {
         recording.select(event);

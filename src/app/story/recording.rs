@@ -43,6 +43,8 @@ pub struct Recording {
     pub hits: Vec<HitMark>,
     /// The method that hits were found by, where it is not the scene's own.
     pub by: Option<Method>,
+    /// The time on the current ray that the drawings mark; none where nobody asked for one.
+    pub probe_t: Option<f64>,
     story: Story,
     plotted: Plotted,
     /// Whether the selection or the rows moved since the tree panel last scrolled to it.
@@ -69,7 +71,7 @@ impl Recording {
         let story = Story::new(Arc::clone(&tree), Level::default(), Filter::default());
         let hits = hits(&tree, story.index());
         let plotted = Plotted { intervals: 0, signs: 0 };
-        Self { pixel, scene, tree, hits, by, story, plotted, selection_moved: true }
+        Self { pixel, scene, tree, hits, by, probe_t: None, story, plotted, selection_moved: true }
     }
 
     /// The same, told at a level and with a filter.

@@ -15,7 +15,7 @@ use egui::{
 use std::sync::Arc;
 
 /// Height of the strip, in points.
-pub const HEIGHT: f32 = 84.0;
+pub const HEIGHT: f32 = 100.0;
 
 /// How far from a mark a click still counts, in points.
 const REACH: f64 = 4.0;

@@ -9,13 +9,14 @@ use crate::app::story::recording::Recording;
 use crate::app::workbench::Workbench;
 use crate::story::{Kind, Level, SPEEDS, Step};
 use egui::{
-    Align2, Button, Context, FontId, Response, Role, ScrollArea, Sense, Stroke, StrokeKind, Ui, WidgetInfo, vec2,
+    Align2, Button, Color32, Context, FontId, Response, Role, ScrollArea, Sense, Stroke, StrokeKind, Ui, WidgetInfo,
+    vec2,
 };
 
 /// Height of a button with a picture, in points.
 const HEIGHT: f32 = 40.0;
-/// Width from which there is room for a word below the picture, in points.
-const WORDS: f32 = 42.0;
+/// Size of the words below the pictures, in points.
+const WORD: f32 = 11.0;
 /// Gap between buttons, in points.
 const GAP: f32 = 3.0;
 
@@ -91,12 +92,17 @@ pub fn position(ctx: &Context, recording: Option<&Recording>, is_recording: bool
 fn moves(ui: &mut Ui, workbench: &Workbench) -> Option<StepCommand> {
     let count = BUTTONS.len() as f32;
     let width = ((ui.available_width() - (count - 1.0) * GAP) / count).clamp(20.0, 64.0);
+    let has_words = BUTTONS.into_iter().filter(|&command| is_short(command)).all(|command| {
+        let word = say(ui.ctx(), command.word());
+        ui.painter().layout_no_wrap(word, FontId::proportional(WORD), Color32::WHITE).size().x <= width - 4.0
+    });
     let mut chosen = None;
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = GAP;
         for command in BUTTONS {
             let possible = command.is_possible(workbench);
-            let response = ui.add_enabled_ui(possible, |ui| button(ui, command, workbench, width)).inner;
+            let has_word = has_words && is_short(command);
+            let response = ui.add_enabled_ui(possible, |ui| button(ui, command, workbench, width, has_word)).inner;
             if response.clicked() {
                 chosen = Some(command);
             }
@@ -105,7 +111,12 @@ fn moves(ui: &mut Ui, workbench: &Workbench) -> Option<StepCommand> {
     chosen
 }
 
-fn button(ui: &mut Ui, command: StepCommand, workbench: &Workbench, width: f32) -> Response {
+/// The words of stops are sentences; their pictures stand alone.
+const fn is_short(command: StepCommand) -> bool {
+    !matches!(command, StepCommand::Move(Step::PreviousStop | Step::NextStop))
+}
+
+fn button(ui: &mut Ui, command: StepCommand, workbench: &Workbench, width: f32, has_word: bool) -> Response {
     let (rect, response) = ui.allocate_exact_size(vec2(width, HEIGHT), Sense::click());
     let enabled = ui.is_enabled();
     let is_playing = command == StepCommand::Play && workbench.stepping.is_playing();
@@ -123,14 +134,11 @@ fn button(ui: &mut Ui, command: StepCommand, workbench: &Workbench, width: f32) 
         _ if is_playing => Icon::Pause,
         _ => Icon::Play,
     };
-    // The words of stops are sentences; their pictures stand alone.
-    let is_short = !matches!(command, StepCommand::Move(Step::PreviousStop | Step::NextStop));
-    let word = (width >= WORDS && is_short).then(|| name.clone());
-    let middle = if word.is_some() { rect.top() + 13.0 } else { rect.center().y };
+    let middle = if has_word { rect.top() + 13.0 } else { rect.center().y };
     draw(painter, icon, egui::pos2(rect.center().x, middle), palette.accent);
-    if let Some(word) = word {
+    if has_word {
         let place = egui::pos2(rect.center().x, rect.bottom() - 10.0);
-        painter.with_clip_rect(rect).text(place, Align2::CENTER_CENTER, word, FontId::proportional(11.5), palette.text);
+        painter.text(place, Align2::CENTER_CENTER, &name, FontId::proportional(WORD), palette.text);
     }
     let tip = |ui: &mut Ui| {
         ui.label(tip(ui.ctx(), command, &name));
