@@ -121,7 +121,9 @@ fn other_text(drawing: &Drawing, event: u32) -> (u32, Vec2) {
         _ => None,
     });
     let (id, [x, y]) = text.expect("a node has a name");
-    (id, Vec2::new(x as f32, y as f32))
+    #[expect(clippy::cast_possible_truncation, reason = "screen coordinates are f32")]
+    let place = Vec2::new(x as f32, y as f32);
+    (id, place)
 }
 
 #[test]

@@ -9,6 +9,7 @@ use super::palette::{Colour, Palette, Theme};
 use super::text::{brief, row, span_list};
 use crate::record::{Certificate, Edge, EventId, Operator, Span, What};
 use crate::trace::RayTree;
+use std::fmt::Write as _;
 
 /// Sizes in points.
 const TEXT: f64 = 11.5;
@@ -75,13 +76,13 @@ fn description(
     let mut text = format!("Intervals of {title}.");
     for (head, list) in heads.iter().zip(lists) {
         let told = list.map_or("not asked".to_owned(), |list| span_list(list));
-        text.push_str(&format!(" {head}: {told}."));
+        let _ = write!(text, " {head}: {told}.");
     }
     if let Some(reason) = early_out {
-        text.push_str(&format!(" Early out: {reason}."));
+        let _ = write!(text, " Early out: {reason}.");
     }
     if let Some((_, t)) = hit {
-        text.push_str(&format!(" The hit that is seen is at t = {}.", brief(t)));
+        let _ = write!(text, " The hit that is seen is at t = {}.", brief(t));
     }
     text
 }

@@ -94,7 +94,7 @@ impl LinkedPane {
         let seen = Seen::of(ui, recording, rect);
         let key = Key { what: self.what, seen, look: self.look, row: self.row };
         let wanted = key.clone();
-        let Some(shown) = self.canvas.update(ui.ctx(), &key, move || wanted.draw()) else { return None };
+        let shown = self.canvas.update(ui.ctx(), &key, move || wanted.draw())?;
         let (Some(texture), Some(drawing)) = (&shown.texture, &shown.drawing) else {
             empty(ui, &say(ui.ctx(), key.nothing()));
             return None;

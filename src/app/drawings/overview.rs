@@ -53,13 +53,12 @@ impl Key {
         let options = OverviewOptions { size: self.seen.size(), theme, stand, is_perspective, zoom, pan, probe_t };
         let wires = {
             let mut kept = kept.lock().unwrap_or_else(PoisonError::into_inner);
-            match kept.as_ref().filter(|(of, _)| Arc::ptr_eq(of, scene)) {
-                Some((_, wires)) => Arc::clone(wires),
-                None => {
-                    let wires = Arc::new(Wireframe::of(scene));
-                    *kept = Some((Arc::clone(scene), Arc::clone(&wires)));
-                    wires
-                }
+            if let Some((_, wires)) = kept.as_ref().filter(|(of, _)| Arc::ptr_eq(of, scene)) {
+                Arc::clone(wires)
+            } else {
+                let wires = Arc::new(Wireframe::of(scene));
+                *kept = Some((Arc::clone(scene), Arc::clone(&wires)));
+                wires
             }
         };
         overview(scene, &wires, tree, *selected, &options)

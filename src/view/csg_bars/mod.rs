@@ -5,19 +5,20 @@ mod rows;
 mod tests;
 
 use super::axis::Axis;
-use super::drawing::{Anchor, Drawing, Form, Frame, Stroke, Text};
+use super::drawing::{Anchor, Drawing, Form, Frame, Spot, Stroke, Text};
 use super::events_of::Story;
 use super::flights::End;
 use super::fonts::{Face, text_width};
 use super::interval_bars::range;
 use super::labels::{Label, shortened};
 use super::palette::{Colour, Theme};
-use super::sheet::{SMALL, Sheet, TEXT};
+use super::sheet::{SMALL, Sheet, TEXT, is_roomy};
 use super::text::{brief, times};
 use crate::record::{EventId, Span, What};
 use crate::scene::Scene;
 use crate::trace::RayTree;
 use rows::{Row, rows};
+use std::fmt::Write as _;
 
 /// The heights of rows, in points: lower ones could not be read, higher ones would lie too far apart to be compared.
 const PITCH: [f64; 2] = [14.0, 44.0];
@@ -52,8 +53,10 @@ pub fn csg_bars(
     sheet.drawing.description = description(name, ray, &rows, hit);
     let lists: Vec<&[Span]> = rows.iter().filter_map(|row| row.spans.as_deref().ok()).collect();
     let lit = lit(&story, &rows, selected);
-    let mut bars = Bars::new(room, &rows, range(&lists, hit), lit);
-    bars.draw(&mut sheet, &rows, hit, probe_t);
+    if is_roomy(&room) {
+        let bars = Bars::new(room, &rows, range(&lists, hit), lit);
+        bars.draw(&mut sheet, &rows, hit, probe_t);
+    }
     Some(sheet.drawing)
 }
 
@@ -74,10 +77,10 @@ fn description(name: &str, ray: &str, rows: &[Row], hit: Option<(EventId, f64)>)
             Err(reason) => format!("not asked, for {reason}"),
         };
         let remark = row.remark.as_ref().map_or(String::new(), |remark| format!(", {remark}"));
-        text.push_str(&format!(" Level {}: {operator}{}: {told}{remark}.", row.depth, row.name));
+        let _ = write!(text, " Level {}: {operator}{}: {told}{remark}.", row.depth, row.name);
     }
     if let Some((_, t)) = hit {
-        text.push_str(&format!(" The hit that is seen is at t = {}.", brief(t)));
+        let _ = write!(text, " The hit that is seen is at t = {}.", brief(t));
     }
     text
 }
@@ -114,7 +117,7 @@ impl Bars {
         self.room.low[1] + self.pitch * self.shown as f64 + 2.0
     }
 
-    fn draw(&mut self, sheet: &mut Sheet, rows: &[Row], hit: Option<(EventId, f64)>, probe_t: Option<f64>) {
+    fn draw(&self, sheet: &mut Sheet, rows: &[Row], hit: Option<(EventId, f64)>, probe_t: Option<f64>) {
         let visible = self.first..self.first + self.shown;
         if let Some(index) = self.lit.filter(|index| visible.contains(index)) {
             self.light(sheet, index, rows[index].event);
@@ -232,16 +235,12 @@ impl Bars {
                     spans.iter().flat_map(|span| [(&span.enter, -4.0, Anchor::End), (&span.leave, 4.0, Anchor::Start)])
                 {
                     if let Some(edge) = edge.as_ref().filter(|edge| self.axis.shows(edge.t)) {
-                        let text = self.beside(&brief(edge.t), self.axis.at(edge.t) + side, y, anchor, sheet);
+                        let text = beside(&brief(edge.t), [self.axis.at(edge.t) + side, y], anchor, sheet);
                         sheet.placer.put_at(&mut sheet.drawing, text, row.event);
                     }
                 }
             }
         }
-    }
-
-    fn beside(&self, text: &str, x: f64, y: f64, anchor: Anchor, sheet: &Sheet) -> Text {
-        Label::new(text, SMALL, sheet.palette.ink).at([x, y], anchor, Some(sheet.palette.ground))
     }
 
     fn say(&self, sheet: &mut Sheet, row: &Row, text: &str, x: f64, y: f64, colour: Colour) {
@@ -305,4 +304,9 @@ fn title(row: &Row) -> String {
         Some(operator) => format!("{} {}", operator.sign(), row.name),
         None => row.name.clone(),
     }
+}
+
+/// A number beside the end of a bar.
+fn beside(text: &str, at: Spot, anchor: Anchor, sheet: &Sheet) -> Text {
+    Label::new(text, SMALL, sheet.palette.ink).at(at, anchor, Some(sheet.palette.ground))
 }

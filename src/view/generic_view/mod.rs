@@ -20,6 +20,7 @@ use crate::scene::Scene;
 use crate::shape::{Bounds, Primitive};
 use crate::trace::RayTree;
 use glam::DVec3;
+use std::fmt::Write as _;
 
 /// Which of the two halves is shown where there is no room for both.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -133,18 +134,20 @@ impl Subject<'_> {
             brief_vector(at.direction.to_array())
         );
         for stop in self.stops() {
-            let fate = if stop.accepted { "a hit" } else { "no hit of it" };
-            let point = brief_vector(stop.point.to_array());
-            text.push_str(&format!(" At t = {} it is at {point}, {fate}", format_number(stop.t)));
-            let normal = brief_vector(stop.normal.to_array());
-            text.push_str(&if stop.accepted { format!(" with the normal {normal}.") } else { ".".to_owned() });
+            let [point, normal] = [stop.point, stop.normal].map(|v| brief_vector(v.to_array()));
+            let t = format_number(stop.t);
+            let _ = if stop.accepted {
+                write!(text, " At t = {t} it is at {point}, a hit with the normal {normal}.")
+            } else {
+                write!(text, " At t = {t} it is at {point}, no hit of it.")
+            };
         }
         if at.hits().next().is_none() {
             text.push_str(" It does not meet the shape.");
         }
         if let Some(t) = self.probe_t {
             let point = brief_vector(at.point(t).to_array());
-            text.push_str(&format!(" At the marked t = {} it is at {point}, where d = {}.", brief(t), brief(at.d(t))));
+            let _ = write!(text, " At the marked t = {} it is at {point}, where d = {}.", brief(t), brief(at.d(t)));
         }
         text
     }
@@ -224,7 +227,7 @@ impl Subject<'_> {
         let next = place(self.at.point(t + 1e-3 / self.at.direction.length()));
         let way = [next[0] - at[0], next[1] - at[1]];
         let length = super::drawing::length(way);
-        if !(length > 1e-9) {
+        if length.is_nan() || length <= 1e-9 {
             return;
         }
         let back = |points: f64| std::array::from_fn(|i| at[i] - way[i] / length * points);

@@ -115,7 +115,7 @@ impl Overview<'_> {
     }
 
     fn dot(&mut self, centre: Spot, radius: f64, fill: super::Colour, event: Option<EventId>) {
-        if self.frame.contains(centre) {
+        if self.frame.grown(-radius).contains(centre) {
             let stroke = Some(Stroke::solid(self.sheet.palette.ground, 1.4));
             let fill = Some(fill);
             self.sheet.drawing.put(Form::Circle { centre, radius, fill, stroke }, event);

@@ -1,7 +1,8 @@
 //! From where the overview looks, and how points of the world come onto it.
 
 use super::OverviewOptions;
-use crate::scene::{LightKind, Scene};
+use crate::csg::Extent;
+use crate::scene::Scene;
 use crate::view::drawing::{Frame, Spot};
 use crate::view::side_view::view_up;
 use crate::view::wireframe::Wireframe;
@@ -56,13 +57,13 @@ impl Sight {
         let pan = options.pan.map(|x| if x.is_finite() { x } else { 0.0 });
         let middle = frame.middle();
         let centre = std::array::from_fn(|i| middle[i] + pan[i]);
-        let room = frame.size();
+        let room = frame.size().map(|points| points.max(8.0));
         match options.stand {
             Stand::Camera => Self::through(scene, room, zoom, centre),
             Stand::Orbit { yaw, pitch } => {
                 let (target, radius) = content(scene, wires);
                 let [right, up, forward] = orbit_frame(scene, yaw, pitch);
-                let scale = 0.5 * room[0].min(room[1]) / radius * zoom;
+                let scale = FILLING * 0.5 * room[0].min(room[1]) / radius * zoom;
                 let distance = DISTANCE * radius;
                 let is_perspective = options.is_perspective;
                 let eye = if is_perspective { target - forward * distance } else { target };
@@ -91,11 +92,10 @@ impl Sight {
     pub fn place(&self, point: DVec3) -> Option<Spot> {
         let from_eye = point - self.eye;
         let depth = self.depth(point);
-        let scale = match self.is_perspective {
-            true if depth < NEAR => return None,
-            true => self.scale / depth,
-            false => self.scale,
-        };
+        if self.is_perspective && depth < NEAR {
+            return None;
+        }
+        let scale = if self.is_perspective { self.scale / depth } else { self.scale };
         let spot = [self.centre[0] + scale * from_eye.dot(self.right), self.centre[1] - scale * from_eye.dot(self.up)];
         spot.iter().all(|x| x.is_finite()).then_some(spot)
     }
@@ -125,6 +125,12 @@ impl Sight {
     }
 }
 
+/// The scene's eye is left out when it is farther from the objects than this many times their size: they would be a speck.
+const FAR_EYE: f64 = 4.0;
+
+/// What is seen is drawn larger by this than the ball around it would allow: its corners seldom lie in the drawing's corners.
+const FILLING: f64 = 1.25;
+
 /// How far the eye of an orbit is away, in radii of what is seen. Nearer, things at the rim look drawn out.
 const DISTANCE: f64 = 3.2;
 
@@ -145,18 +151,16 @@ fn orbit_frame(scene: &Scene, yaw: f64, pitch: f64) -> [DVec3; 3] {
     [right, right.cross(forward), forward]
 }
 
-/// The middle and the radius of what is seen: the objects, and the eye and the lights that are not far off.
+/// The middle and the radius of what is seen: the objects that have bounds, and the eye where it is not far off.
 fn content(scene: &Scene, wires: &Wireframe) -> (DVec3, f64) {
-    let [mut low, mut high] = wires.bounds;
+    let extents = scene.objects.iter().map(|object| object.solid.extent()).filter(Extent::is_finite);
+    let bounded = extents.map(|extent| [extent.low, extent.high]);
+    let all = bounded.reduce(|[low, high], other| [low.min(other[0]), high.max(other[1])]);
+    let [mut low, mut high] = all.unwrap_or(wires.bounds);
     let size = (high - low).length().max(1e-9);
-    let middle = (low + high) * 0.5;
-    let lights = scene.lights.iter().filter_map(|light| match light.kind {
-        LightKind::Point(point) => Some(point),
-        LightKind::Area(area) => Some(area.middle()),
-        LightKind::Directional(_) => None,
-    });
-    for point in lights.chain([scene.camera.eye]).filter(|point| point.distance(middle) < 1.5 * size) {
-        (low, high) = (low.min(point), high.max(point));
+    let (middle, eye) = ((low + high) * 0.5, scene.camera.eye);
+    if eye.distance(middle) < FAR_EYE * size {
+        (low, high) = (low.min(eye), high.max(eye));
     }
     ((low + high) * 0.5, (0.5 * (high - low).length()).max(1e-9))
 }

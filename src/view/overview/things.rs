@@ -1,9 +1,10 @@
 //! What stands in the scene: objects, camera, lights.
 
 use super::Overview;
+use crate::csg::Extent;
 use crate::record::{EventId, What};
 use crate::scene::{Area, LightKind};
-use crate::view::drawing::{Spot, Stroke};
+use crate::view::drawing::{Spot, Stroke, length};
 use crate::view::scene_colour::shown;
 use crate::view::wireframe::WireLine;
 use glam::DVec3;
@@ -12,6 +13,9 @@ use std::f64::consts::TAU;
 /// The image plane is drawn as far from the eye as this share of the way to the scene's middle: at its true distance of 1 it
 /// would often be a speck, or larger than the scene.
 const IMAGE_PLANE: f64 = 0.22;
+
+/// Objects that look smaller than this have no name: in a crowd, names would hide what they name. In points.
+const SMALLEST_NAMED: f64 = 30.0;
 
 impl Overview<'_> {
     /// All lines of all objects, those on sides that face away fainter.
@@ -174,6 +178,13 @@ impl Overview<'_> {
         }
     }
 
+    /// How large a box is on the drawing, in points.
+    fn seen_size(&self, extent: Extent) -> f64 {
+        let ends = [self.sight.place(extent.low), self.sight.place(extent.high)];
+        let [Some(low), Some(high)] = ends else { return 0.0 };
+        length([high[0] - low[0], high[1] - low[1]])
+    }
+
     /// The names of objects, of the eye and of lights, where there is room.
     pub(super) fn names(&mut self) {
         let scene = self.scene;
@@ -193,7 +204,7 @@ impl Overview<'_> {
         }
         for (index, object) in scene.objects.iter().enumerate() {
             let extent = object.solid.extent();
-            if extent.is_finite() {
+            if extent.is_finite() && self.seen_size(extent) > SMALLEST_NAMED {
                 let colour = palette.faint.mixed(palette.ink, 0.5);
                 names.push(((extent.low + extent.high) * 0.5, &object.name, colour, self.object_event(index), 2.0));
             }

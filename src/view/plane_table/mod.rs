@@ -13,6 +13,7 @@ use super::sheet::{SMALL, Sheet, TEXT};
 use super::text::brief;
 use crate::record::{EventId, PlaneRow, PlaneSense, What, format_number};
 use crate::trace::RayTree;
+use std::fmt::Write as _;
 
 /// The table as a drawing, with the place of each row that is filled in: a click there sets the cursor.
 #[derive(Clone, Debug, PartialEq)]
@@ -105,22 +106,26 @@ impl Table<'_> {
         for row in &self.rows[..=self.last] {
             let [numerator, denominator] = [row.numerator, row.denominator].map(format_number);
             let time = row.t.map_or("no t".to_owned(), |t| format!("t = {}", format_number(t)));
-            text.push_str(&format!(
+            let _ = write!(
+                text,
                 " Plane {}: {numerator} / {denominator}, {time}, {}; t_in = {}, t_out = {}.",
                 row.name,
                 sense(row.sense),
                 open(row.t_in, "−∞"),
                 open(row.t_out, "∞"),
-            ));
+            );
         }
         if let Some(reason) = self.stopped {
-            text.push_str(&format!(" Stopped: {reason}."));
+            let _ = write!(text, " Stopped: {reason}.");
         }
         text
     }
 
     fn draw(&self, sheet: &mut Sheet, room: Frame) -> Vec<Frame> {
         let [width, height] = room.size();
+        if width < 90.0 || height < 5.0 * PITCH[0] {
+            return Vec::new();
+        }
         let columns = Column::that_fit(width);
         let tight = if width < 380.0 { 0.8 } else { 1.0 };
         let wide = |column: &Column| tight * column.width();
@@ -143,7 +148,7 @@ impl Table<'_> {
             let y = room.low[1] + pitch * ((index - first) as f64 + 1.0);
             let frame = Frame { low: [room.low[0], y], high: [room.high[0], y + pitch] };
             if index <= self.last {
-                self.row(sheet, (&columns, tight), frame, row, index == self.last);
+                draw_row(sheet, (&columns, tight), frame, row, index == self.last);
                 places.push(frame);
             } else {
                 let name = shortened(&row.name, 70.0, TEXT, Face::Sans);
@@ -159,28 +164,22 @@ impl Table<'_> {
         }
         places
     }
+}
 
-    fn row(
-        &self,
-        sheet: &mut Sheet,
-        (columns, tight): (&[Column], f64),
-        frame: Frame,
-        row: &PlaneRow,
-        is_current: bool,
-    ) {
-        if is_current {
-            let fill = Some(sheet.palette.highlight.faded(0.28));
-            sheet.drawing.put(Form::Rect { frame, fill, stroke: None }, sheet.event);
-        }
-        let middle = frame.middle()[1];
-        let mut x = frame.low[0];
-        for column in columns {
-            let width = tight * column.width();
-            let text = shortened(&column.text(row), width - 4.0, TEXT, Face::Sans);
-            let ink = sheet.palette.ink;
-            sheet.write(&text, column.place(x, middle, width), column.anchor(), TEXT, ink);
-            x += width;
-        }
+/// A row that is filled in; the current one is lit.
+fn draw_row(sheet: &mut Sheet, (columns, tight): (&[Column], f64), frame: Frame, row: &PlaneRow, is_current: bool) {
+    if is_current {
+        let fill = Some(sheet.palette.highlight.faded(0.28));
+        sheet.drawing.put(Form::Rect { frame, fill, stroke: None }, sheet.event);
+    }
+    let middle = frame.middle()[1];
+    let mut x = frame.low[0];
+    for column in columns {
+        let width = tight * column.width();
+        let text = shortened(&column.text(row), width - 4.0, TEXT, Face::Sans);
+        let ink = sheet.palette.ink;
+        sheet.write(&text, column.place(x, middle, width), column.anchor(), TEXT, ink);
+        x += width;
     }
 }
 

@@ -20,7 +20,7 @@ pub(super) fn draw(sheet: &mut Sheet, area: Frame, pitch: f64, rows: &[PlaneRow]
         if index > last {
             continue;
         }
-        let (colour, opacity) = (slabs.colour(sheet, row.sense), if index == last { 1.0 } else { 0.55 });
+        let (colour, opacity) = (colour_of(sheet, row.sense), if index == last { 1.0 } else { 0.55 });
         slabs.inner(sheet, row, y, colour.faded(opacity));
     }
     let y = slabs.row(shown.len());
@@ -56,26 +56,10 @@ impl Slabs {
         self.top + self.pitch * (index as f64 + 1.5)
     }
 
-    fn colour(&self, sheet: &Sheet, sense: PlaneSense) -> Colour {
-        match sense {
-            PlaneSense::Entering => sheet.palette.left,
-            PlaneSense::Leaving => sheet.palette.right,
-            PlaneSense::ParallelInside => sheet.palette.extent,
-            PlaneSense::ParallelOutside => sheet.palette.bad,
-        }
-    }
-
     fn track(&self, sheet: &mut Sheet, y: f64) {
         let [left, right] = self.axis.points;
         let stroke = Stroke::solid(sheet.palette.grid, 1.0);
         sheet.drawing.put(Form::Line { points: vec![[left, y], [right, y]], stroke }, None);
-    }
-
-    fn bar(&self, sheet: &mut Sheet, [from, to]: [f64; 2], y: f64, thick: f64, colour: Colour) {
-        let frame = Frame { low: [from, y - 0.5 * thick], high: [to, y + 0.5 * thick] };
-        if to > from {
-            sheet.drawing.put(Form::Rect { frame, fill: Some(colour), stroke: None }, sheet.event);
-        }
     }
 
     /// The inner side of one plane: from its t on where it is entered, up to it where it is left. An arrow head shows
@@ -84,9 +68,9 @@ impl Slabs {
         let [left, right] = self.axis.points;
         let thick = 0.36 * self.pitch;
         match (row.sense, row.t) {
-            (PlaneSense::Entering, Some(t)) => self.bar(sheet, [self.axis.at(t).max(left), right], y, thick, colour),
-            (PlaneSense::Leaving, Some(t)) => self.bar(sheet, [left, self.axis.at(t).min(right)], y, thick, colour),
-            (PlaneSense::ParallelInside, _) => self.bar(sheet, [left, right], y, thick, colour),
+            (PlaneSense::Entering, Some(t)) => bar(sheet, [self.axis.at(t).max(left), right], y, thick, colour),
+            (PlaneSense::Leaving, Some(t)) => bar(sheet, [left, self.axis.at(t).min(right)], y, thick, colour),
+            (PlaneSense::ParallelInside, _) => bar(sheet, [left, right], y, thick, colour),
             _ => {}
         }
         let Some(x) = row.t.map(|t| self.axis.at(t)).filter(|x| (left..=right).contains(x)) else { return };
@@ -105,7 +89,7 @@ impl Slabs {
             let bad = sheet.palette.bad;
             sheet.write("nothing is left", [f64::midpoint(left, right), y], Anchor::Middle, SMALL, bad);
         } else {
-            self.bar(sheet, [from, to], y, 0.5 * self.pitch, colour);
+            bar(sheet, [from, to], y, 0.5 * self.pitch, colour);
         }
     }
 
@@ -137,5 +121,21 @@ impl Slabs {
             sheet.write(&brief(tick), [x, base + 9.0], Anchor::Middle, SMALL, faint);
         }
         sheet.write("t", [right, self.top + 0.5 * self.pitch], Anchor::End, SMALL, faint);
+    }
+}
+
+fn colour_of(sheet: &Sheet, sense: PlaneSense) -> Colour {
+    match sense {
+        PlaneSense::Entering => sheet.palette.left,
+        PlaneSense::Leaving => sheet.palette.right,
+        PlaneSense::ParallelInside => sheet.palette.extent,
+        PlaneSense::ParallelOutside => sheet.palette.bad,
+    }
+}
+
+fn bar(sheet: &mut Sheet, [from, to]: [f64; 2], y: f64, thick: f64, colour: Colour) {
+    let frame = Frame { low: [from, y - 0.5 * thick], high: [to, y + 0.5 * thick] };
+    if to > from {
+        sheet.drawing.put(Form::Rect { frame, fill: Some(colour), stroke: None }, sheet.event);
     }
 }

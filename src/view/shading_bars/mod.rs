@@ -17,6 +17,7 @@ use super::text::brief;
 use crate::record::{EventId, Triple, What};
 use crate::trace::RayTree;
 use hatch::{Look, hatched};
+use std::fmt::Write as _;
 
 /// A component with its look.
 struct Part {
@@ -95,7 +96,7 @@ fn description(shading: &Shading) -> String {
     );
     for lamp in &shading.lamps {
         let [diffuse, specular] = [lamp.diffuse, lamp.specular].map(amounts);
-        text.push_str(&format!(" Of that, light {} gives diffuse {diffuse} and specular {specular}.", lamp.name));
+        let _ = write!(text, " Of that, light {} gives diffuse {diffuse} and specular {specular}.", lamp.name);
     }
     text
 }

@@ -21,6 +21,10 @@ pub(super) fn draw(sheet: &mut Sheet, room: Frame, shading: &Shading) {
     let column = (width - NAMES) / 3.0;
     let at = |channel: usize| right - column * (2 - channel) as f64;
     let palette = sheet.palette;
+    // A table without its total would mislead.
+    if room.size()[1] < 7.0 * 12.0 - 1.0 || width < 90.0 {
+        return;
+    }
     let mut y = room.low[1] + 0.5 * pitch;
     for (channel, name) in CHANNELS.into_iter().enumerate() {
         sheet.write(name, [at(channel), y], Anchor::End, SMALL, palette.faint);

@@ -9,6 +9,7 @@ use crate::view::fonts::Face;
 use crate::view::labels::{Label, shortened};
 use crate::view::primitive_at::PrimitiveAt;
 use crate::view::text::{brief, brief_vector};
+use std::fmt::Write as _;
 
 /// A sign plot with the place of its t axis and what was found at the time that was asked for.
 #[derive(Clone, Debug, PartialEq)]
@@ -143,18 +144,20 @@ impl Plot {
     pub(super) fn description(&self, equation: &str, roots: &[f64], signs: &[SignSpan]) -> String {
         let mut text = format!("d(t) = F(S + c t) along the ray, with F = {equation}.");
         let zeros: Vec<String> = roots.iter().map(|root| format_number(*root)).collect();
-        match zeros.is_empty() {
-            true => text.push_str(" It is nowhere zero."),
-            false => text.push_str(&format!(" It is zero at t = {}.", zeros.join(", "))),
-        }
+        let zeros = if zeros.is_empty() {
+            " It is nowhere zero.".to_owned()
+        } else {
+            format!(" It is zero at t = {}.", zeros.join(", "))
+        };
+        text.push_str(&zeros);
         for span in signs {
             let side = if span.sign == Sign::Positive { "positive, outside" } else { "negative, inside" };
             let from = span.from.map_or("−∞".to_owned(), format_number);
             let to = span.to.map_or("∞".to_owned(), format_number);
-            text.push_str(&format!(" From {from} to {to} it is {side}."));
+            let _ = write!(text, " From {from} to {to} it is {side}.");
         }
         if let Some(probe) = self.probe {
-            text.push_str(&format!(" Marked: {}.", probe.told()));
+            let _ = write!(text, " Marked: {}.", probe.told());
         }
         text
     }

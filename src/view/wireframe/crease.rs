@@ -94,12 +94,14 @@ impl Tracing<'_> {
             // The shortest move s with n·s = −f and m·s = −g lies in the plane of both gradients.
             let (nn, mm, nm) = (n.dot(n), m.dot(m), n.dot(m));
             let determinant = nn * mm - nm * nm;
-            if !(determinant > 1e-9 * nn * mm) {
+            let is_crossing = determinant > 1e-9 * nn * mm;
+            if !is_crossing {
                 return None;
             }
             let shift = n * ((g * nm - f * mm) / determinant) + m * ((f * nm - g * nn) / determinant);
             point += shift;
-            if !(shift.length() < 4.0 * self.step) {
+            let is_near = shift.length() < 4.0 * self.step;
+            if !is_near {
                 return None;
             }
             if shift.length() < 1e-9 * self.step {

@@ -103,7 +103,7 @@ impl<'a> Membership<'a> {
     /// The place between two points at which a leaf's surface begins or ends to bound the solid.
     fn end(&self, leaf: usize, [mut from, mut to]: [DVec3; 2], begins: bool) -> DVec3 {
         for _ in 0..HALVINGS {
-            let middle = from.midpoint(to);
+            let middle = self.settled(leaf, from.midpoint(to));
             if (self.side(leaf, middle) != 0.0) == begins {
                 to = middle;
             } else {
@@ -114,14 +114,26 @@ impl<'a> Membership<'a> {
         if begins { to } else { from }
     }
 
-    /// Of the normals close to a point the first and the one that is least like it: on an edge those of both faces.
+    /// The point on a leaf's surface next to one that lies close to it, by Newton's method along the gradient.
+    fn settled(&self, leaf: usize, mut point: DVec3) -> DVec3 {
+        for _ in 0..3 {
+            let gradient = self.gradient(leaf, point);
+            let shift = gradient * (self.value(leaf, point) / gradient.length_squared());
+            if shift.is_finite() {
+                point -= shift;
+            }
+        }
+        point
+    }
+
+    /// Of the normals close to a point the two that are least alike: on an edge those of both faces.
     fn normals(&self, leaf: usize, point: DVec3) -> [DVec3; 2] {
         let step = 1e-3 * self.scale(leaf);
         let axes = [DVec3::X, DVec3::Y, DVec3::Z, DVec3::NEG_X, DVec3::NEG_Y, DVec3::NEG_Z];
         let around = axes.map(|axis| self.gradient(leaf, point + axis * step).normalize_or_zero());
-        let first = self.gradient(leaf, point).normalize_or(around[0]);
-        let other = around.into_iter().fold(first, |least, n| if n.dot(first) < least.dot(first) { n } else { least });
-        [first, other]
+        let pairs = around.into_iter().flat_map(|first| around.map(|second| [first, second]));
+        let least = pairs.min_by(|a, b| a[0].dot(a[1]).total_cmp(&b[0].dot(b[1])));
+        least.unwrap_or([around[0]; 2])
     }
 }
 

@@ -99,7 +99,7 @@ fn outline(leaf: &Leaf, budget: usize, is_cut: bool) -> Vec<Vec<DVec3>> {
         let last = line.len().saturating_sub(1);
         let kept = line.iter().enumerate().filter(|(i, _)| i % stride == 0 || *i == last);
         let points: Vec<DVec3> = kept.map(|(_, point)| map.transform_point3(*point)).collect();
-        if is_cut { divided(&points) } else { points }
+        if is_cut && stride == 1 { divided(&points) } else { points }
     };
     lines.iter().map(world).filter(|line| line.len() > 1 && line.iter().all(|point| point.is_finite())).collect()
 }

@@ -42,12 +42,13 @@ fn lines_within_another_part_are_cut_off() {
     let lines = solid_lines(0, &Solid::pair("both", Operator::Union, ball(-0.6), ball(0.6)), 1_000);
     for point in points(&lines, false) {
         let [left, right] = [-0.6, 0.6].map(|x| point.distance(DVec3::X * x));
-        assert!((left.min(right) - 1.0).abs() < 1e-9, "{point} lies on no ball, or within one");
+        assert!((left.min(right) - 1.0).abs() < 1e-6, "{point} lies on no ball, or within one");
     }
     let cut = solid_lines(0, &Solid::pair("both", Operator::Difference, ball(-0.6), ball(0.6)), 1_000);
     for point in points(&cut, false) {
         let [left, right] = [-0.6, 0.6].map(|x| point.distance(DVec3::X * x));
-        assert!(left <= 1.0 + 1e-9 && right >= 1.0 - 1e-5, "{point}");
+        assert!((left - 1.0).abs().min((right - 1.0).abs()) < 1e-6, "{point}");
+        assert!(left <= 1.0 + 1e-6 && right >= 1.0 - 1e-6, "{point}");
     }
 }
 
@@ -78,6 +79,11 @@ fn every_point_of_every_scene_lies_on_its_object() {
     for embedded in embedded_scenes() {
         // Scenes that read pictures beside them have the shapes of others.
         let Ok(scene) = load(embedded.text, &embedded.name) else { continue };
+        let leaves: usize = scene.objects.iter().map(|object| object.solid.leaves.len()).sum();
+        // Of more leaves the boxes are shown, whose edges lie on nothing.
+        if leaves > MOST_POINTS / FEWEST_POINTS {
+            continue;
+        }
         let wires = Wireframe::of(&scene);
         assert!(wires.len() <= 4 * MOST_POINTS, "{}: {} points", embedded.name, wires.len());
         for line in wires.lines.iter().filter(|line| !line.is_crease) {
