@@ -33,6 +33,12 @@ fn each_drawing_shows_what_it_is_named_for() {
         ("textures/environment", "texture", "The environment"),
         ("csg/bowl", "intervals", "bowl = left − right"),
         ("csg/bowl", "signs", "outside"),
+        ("csg/bowl", "csg", "S₁"),
+        ("csg/bowl", "overview", "eye"),
+        ("csg/bowl", "generic", "world to generic"),
+        ("csg/bowl", "shading", "transmitted"),
+        ("primitives/cube", "planes", "t_out"),
+        ("optics/glass_ball", "snell", "refracted"),
     ] {
         let drawn = svg(scene, &["--drawing", drawing]);
         assert!(drawn.starts_with("<svg") && drawn.contains(telling), "{scene} {drawing}");
@@ -48,6 +54,8 @@ fn a_drawing_of_what_is_not_there_is_refused_with_the_reason() {
     for (scene, drawing, reason) in [
         ("hello/sphere", "texture", "carries a texture, bump, grain, detail or environment"),
         ("hello/sphere", "intervals", "no compound"),
+        ("hello/sphere", "planes", "not made of planes"),
+        ("hello/sphere", "snell", "between two transparent media"),
         (empty.to_str().unwrap(), "signs", "no primitive was asked"),
     ] {
         let (message, code) = complaint(&[scene, "--format", "svg", "--drawing", drawing]);

@@ -133,7 +133,8 @@ fn the_story_is_copied_as_text_and_as_a_worked_example() {
     assert!(commands.contains(&OutputCommand::CopyText(rayscope::view::tree_text(tree))));
     assert!(bench.query_by_label_contains("lines are on the clipboard").is_some());
     let commands = shared(&mut bench, ShareCommand::CopyMarkdown);
-    let text = commands.iter().find_map(|command| match command {
+    // The copy before may still be among them.
+    let text = commands.iter().rev().find_map(|command| match command {
         OutputCommand::CopyText(text) => Some(text),
         _ => None,
     });

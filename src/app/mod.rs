@@ -6,8 +6,10 @@
 
 mod accuracy;
 mod command;
+mod compare;
 mod dock;
 mod drawings;
+mod edit;
 mod effects;
 mod frame;
 mod help;
@@ -24,7 +26,8 @@ mod window;
 mod workbench;
 
 pub use command::{
-    Command, Commands, HelpCommand, SceneCommand, SearchCommand, ShareCommand, StepCommand, ViewCommand,
+    Command, Commands, CompareCommand, EditCommand, HelpCommand, SceneCommand, SearchCommand, ShareCommand,
+    StepCommand, ViewCommand,
 };
 pub use dock::{Dock, Preset};
 pub use pane::Pane;

@@ -26,8 +26,11 @@ impl Workbench {
                     self.select(event);
                 }
             }
+            Pane::Compare => self.compare_pane(ui),
             Pane::Accuracy => self.accuracy_pane(ui),
             Pane::Effects => self.effects_pane(ui),
+            Pane::Editor => self.editor_pane(ui),
+            Pane::Properties => self.editing.properties_ui(ui),
             Pane::Search => self.search_pane(ui),
             Pane::Overview
             | Pane::Generic
@@ -35,23 +38,31 @@ impl Workbench {
             | Pane::Signs
             | Pane::Snell
             | Pane::Shading
-            | Pane::Planes
-            | Pane::Compare
-            | Pane::Editor
-            | Pane::Properties => empty(ui, &say(ui.ctx(), &format!("{}-about", pane.word()))),
+            | Pane::Planes => {
+                if let Some(event) = self.drawings.ui(ui, pane, self.recording.as_mut()) {
+                    self.select(event);
+                }
+            }
         }
     }
 
     /// The tools at the right end of a panel's header, from right to left.
     pub(in crate::app) fn pane_tools(&mut self, ui: &mut Ui, pane: Pane) {
         let state = match pane {
-            Pane::Picture => self.open.as_ref().map(|open| self.picture_state(ui.ctx(), open)),
+            Pane::Picture => {
+                self.move_switch(ui);
+                self.open.as_ref().map(|open| self.picture_state(ui.ctx(), open))
+            }
+            Pane::Editor => Some(self.editor_state(ui.ctx())),
             Pane::Side => {
                 self.side.tools(ui);
                 None
             }
             Pane::Story => Some(story_pane::position(ui.ctx(), self)),
-            _ => None,
+            _ => {
+                self.drawings.tools(ui, pane, self.recording.as_mut());
+                None
+            }
         };
         share::tools(ui, self, pane);
         if let Some(state) = state {
@@ -77,6 +88,7 @@ impl Workbench {
     }
 
     fn picture_pane(&mut self, ui: &mut Ui) {
+        self.picture_keys(ui.ctx());
         let Some(open) = &self.open else { return empty(ui, &say(ui.ctx(), "no-scene")) };
         let texture = self.renderer.texture(ui.ctx()).cloned();
         self.search.update(ui.ctx(), &open.scene);
@@ -87,6 +99,7 @@ impl Workbench {
         if let Some(pixel) = self.image.ui(ui, &view) {
             self.record(pixel);
         }
+        self.picture_handles(ui);
     }
 
     fn side_pane(&mut self, ui: &mut Ui) {
@@ -94,6 +107,7 @@ impl Workbench {
         if let Some(event) = self.side.ui(ui, &open.scene, self.recording.as_ref()) {
             self.select(event);
         }
+        self.section_handles(ui);
     }
 
     fn accuracy_pane(&mut self, ui: &mut Ui) {
@@ -101,6 +115,14 @@ impl Workbench {
         let wish = padded(ui, |ui| self.accuracy.ui(ui, open, self.recording.as_ref()));
         if let Some(wish) = wish {
             self.grant(ui.ctx(), wish);
+        }
+    }
+
+    fn compare_pane(&mut self, ui: &mut Ui) {
+        let Some(open) = &self.open else { return empty(ui, &say(ui.ctx(), "no-scene")) };
+        let wish = padded(ui, |ui| self.compare.ui(ui, open, self.recording.as_ref()));
+        if let Some(wish) = wish {
+            self.grant_comparison(wish);
         }
     }
 

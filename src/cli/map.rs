@@ -36,7 +36,7 @@ pub struct Map {
     /// Colours of the drawing
     #[arg(long, value_enum, default_value_t = Theme::Light)]
     theme: Theme,
-    /// The file to write, .png or .svg [default: SVG on the standard output]
+    /// The file to write, .png, .svg or .pdf [default: SVG on the standard output]
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
 }

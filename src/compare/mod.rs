@@ -8,6 +8,7 @@ mod difference;
 mod fields;
 pub mod foreign;
 mod name;
+mod picture;
 #[cfg(test)]
 mod tests;
 mod text;
@@ -16,5 +17,6 @@ mod tolerance;
 pub use departure::Departure;
 pub use difference::{Pair, Standing, TreeDifference, difference};
 pub use fields::{Change, Said};
+pub use picture::{PictureDifference, picture_difference};
 pub use text::difference_text;
 pub use tolerance::Tolerance;

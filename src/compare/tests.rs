@@ -155,3 +155,29 @@ fn the_text_marks_every_row_and_says_in_words_what_differs() {
     let nothing = difference_text(&exact(&left, &left), [&left, &left], &Tolerance::EXACT);
     assert_eq!(nothing, format!("no difference in {} events\n", left.events.len()));
 }
+
+/// A root with so many copies of a tree below it.
+fn copies(tree: &RayTree, count: EventId) -> RayTree {
+    let mut events = vec![Event { id: 0, parent: None, ..tree.events[0].clone() }];
+    for copy in 0..count {
+        let start = 1 + copy * tree.end();
+        events.extend(tree.events.iter().map(|event| Event {
+            id: event.id + start,
+            parent: Some(event.parent.map_or(0, |parent| parent + start)),
+            ..event.clone()
+        }));
+    }
+    RayTree { events }
+}
+
+#[test]
+fn one_event_among_a_hundred_thousand_is_found() {
+    let tree = recorded("csg/bowl");
+    let many = copies(&tree, 100_000 / tree.end() + 1);
+    assert!(many.events.len() > 100_000);
+    let place = many.end() / 2;
+    let more = with_event_before(&many, place, What::Moved { object: "nobody".to_owned(), by: 1.0 });
+    let pairs = exact(&many, &more);
+    assert_eq!(pairs.counts(), [many.events.len(), 0, 0, 1]);
+    assert_eq!(pairs.first_departure(&many, &more, &Tolerance::EXACT).unwrap().right, place);
+}

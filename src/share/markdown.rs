@@ -32,7 +32,7 @@ pub struct Paper {
 /// If `watch` says that nobody waits any more.
 pub fn markdown(account: &Account, stem: Option<&str>, watch: Watch) -> Result<Paper, Cancelled> {
     let steps = account.steps(MOST_STEPS);
-    let mut writer = Writer { account, stem, paper: head(account), explained: BTreeSet::new() };
+    let mut writer = Writer { account, stem, paper: head(account), explained: BTreeSet::new(), shown: None };
     for (i, (&event, &depth)) in steps.events.iter().zip(&steps.depths).enumerate() {
         if !watch(i, steps.events.len()) {
             return Err(Cancelled);
@@ -60,6 +60,8 @@ struct Writer<'a> {
     stem: Option<&'a str>,
     paper: Paper,
     explained: BTreeSet<&'static str>,
+    /// The drawing that was shown last.
+    shown: Option<String>,
 }
 
 impl Writer<'_> {
@@ -139,12 +141,17 @@ impl Writer<'_> {
             return;
         }
         for figure in figures_of(&Account { views: &chosen, ..*account }, id, |_| SIZE) {
+            let picture = svg(&figure.drawing);
+            // The parts of a step are often drawn like the step itself.
+            if self.shown.replace(picture.clone()).as_ref() == Some(&picture) {
+                continue;
+            }
             let words = plain(&figure.drawing.in_words());
             match self.stem {
                 Some(stem) => {
                     let name = format!("{stem}-{id}-{}.svg", figure.name);
                     let _ = writeln!(self.paper.text, "\n![{words}]({name})");
-                    self.paper.figures.push((name, svg(&figure.drawing)));
+                    self.paper.figures.push((name, picture));
                 }
                 None => {
                     let _ = writeln!(self.paper.text, "\n*Drawing:* {words}");

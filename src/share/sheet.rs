@@ -20,7 +20,7 @@ const LEADING: f64 = 1.38;
 /// Where the working begins.
 const COLUMN: f64 = 600.0;
 /// The drawings' upper edge at the least, and what is left below them.
-const TOP: f64 = 112.0;
+const TOP: f64 = 98.0;
 const BOTTOM: f64 = 34.0;
 /// The caption of a moving picture.
 const CAPTION: f64 = 64.0;
@@ -44,7 +44,9 @@ impl<'a> Sheet<'a> {
     pub fn slide(account: &'a Account<'a>, steps: &'a Steps, place: usize) -> Drawing {
         let mut sheet = Self::new(account, steps, place);
         let top = sheet.heading();
-        let width = COLUMN - MARGIN - 20.0;
+        // Where there is no working, the drawings have the whole width.
+        let has_working = !beneath(account.tree.event(sheet.event())).is_empty();
+        let width = if has_working { COLUMN - MARGIN - 20.0 } else { SHEET[0] - 2.0 * MARGIN };
         let height = SHEET[1] - top - BOTTOM;
         let figures = figures_of(account, sheet.event(), |count| sheet.share(count, [width, height], false));
         let has_figures = !figures.is_empty();

@@ -6,9 +6,10 @@ use super::flights::{End, Flights};
 use super::fonts::{Face, text_width};
 use super::labels::{Label, Placer, shortened, wrapped};
 use super::palette::{Colour, Palette, Theme};
-use super::text::{brief, row};
+use super::text::{brief, row, span_list};
 use crate::record::{Certificate, Edge, EventId, Operator, Span, What};
 use crate::trace::RayTree;
+use std::fmt::Write as _;
 
 /// Sizes in points.
 const TEXT: f64 = 11.5;
@@ -24,6 +25,18 @@ const FADE_STEPS: u32 = 7;
 /// The bars of the `Combine` event at or nearest above `selected`, else of the first below it.
 #[must_use]
 pub fn interval_bars(tree: &RayTree, selected: EventId, size: [f64; 2], theme: Theme) -> Option<Drawing> {
+    probed_interval_bars(tree, selected, None, size, theme)
+}
+
+/// The same with one more time marked.
+#[must_use]
+pub fn probed_interval_bars(
+    tree: &RayTree,
+    selected: EventId,
+    probe_t: Option<f64>,
+    size: [f64; 2],
+    theme: Theme,
+) -> Option<Drawing> {
     let event = combine_at(tree, selected)?;
     let What::Combine { name, operator, left, right, combined, early_out } = &tree.event(event).what else {
         return None;
@@ -40,13 +53,38 @@ pub fn interval_bars(tree: &RayTree, selected: EventId, size: [f64; 2], theme: T
         drawing,
         palette,
         event,
+        probe_t,
     };
     let top = bars.caption(&row(tree.event(event)).label, early_out.as_deref());
     let names = ["left".to_owned(), "right".to_owned(), format!("left {} right", operator.sign())];
     let heads = operands(tree, event, *operator, name, names);
     bars.lay_out(&heads);
-    bars.lists(top, &heads, [Some(left), right.as_ref(), Some(combined)], hit);
+    let lists = [Some(left), right.as_ref(), Some(combined)];
+    bars.lists(top, &heads, lists, hit);
+    bars.drawing.description = description(&row(tree.event(event)).label, &heads, lists, early_out.as_deref(), hit);
     Some(bars.drawing)
+}
+
+/// The three lists in words.
+fn description(
+    title: &str,
+    heads: &[String; 3],
+    lists: [Option<&Vec<Span>>; 3],
+    early_out: Option<&str>,
+    hit: Option<(EventId, f64)>,
+) -> String {
+    let mut text = format!("Intervals of {title}.");
+    for (head, list) in heads.iter().zip(lists) {
+        let told = list.map_or("not asked".to_owned(), |list| span_list(list));
+        let _ = write!(text, " {head}: {told}.");
+    }
+    if let Some(reason) = early_out {
+        let _ = write!(text, " Early out: {reason}.");
+    }
+    if let Some((_, t)) = hit {
+        let _ = write!(text, " The hit that is seen is at t = {}.", brief(t));
+    }
+    text
 }
 
 fn combine_at(tree: &RayTree, selected: EventId) -> Option<EventId> {
@@ -72,7 +110,7 @@ fn operands(tree: &RayTree, event: EventId, operator: Operator, name: &str, plai
 }
 
 /// The stretch of t that is shown: all boundaries, the hit, and the ray's start unless it is far off.
-fn range(lists: &[&[Span]], hit: Option<(EventId, f64)>) -> [f64; 2] {
+pub(super) fn range(lists: &[&[Span]], hit: Option<(EventId, f64)>) -> [f64; 2] {
     let ends = lists.iter().flat_map(|list| list.iter()).flat_map(|span| [&span.enter, &span.leave]).flatten();
     let times: Vec<f64> = ends.map(|edge| edge.t).filter(|t| t.is_finite()).collect();
     let hit = hit.map(|(_, t)| t).filter(|t| t.is_finite());
@@ -102,6 +140,7 @@ struct Bars {
     axis: Axis,
     palette: &'static Palette,
     event: EventId,
+    probe_t: Option<f64>,
 }
 
 impl Bars {
@@ -228,6 +267,7 @@ impl Bars {
 
     /// The ray's start and the hit that is seen.
     fn time_marks(&mut self, top: f64, base: f64, hit: Option<(EventId, f64)>) {
+        let probe_t = self.probe_t.filter(|t| self.axis.shows(*t));
         let mut mark = |t: f64, name: String, colour: Colour, event: Option<EventId>| {
             let x = self.axis.at(t);
             let stroke = Stroke::solid(colour, 1.4);
@@ -239,6 +279,9 @@ impl Bars {
                 }
             }
         };
+        if let Some(t) = probe_t {
+            mark(t, format!("t = {}", brief(t)), self.palette.highlight.mixed(self.palette.ink, 0.5), None);
+        }
         if let Some((event, t)) = hit.filter(|(_, t)| self.axis.shows(*t)) {
             mark(t, format!("seen: t = {}", brief(t)), self.palette.good, Some(event));
         }

@@ -5,6 +5,8 @@ use super::drawing::{Anchor, Drawing, Form, Frame, Spot, Stroke};
 use super::fonts::Face;
 use super::labels::Label;
 use super::palette::{Colour, Theme};
+use super::text::brief;
+use std::fmt::Write as _;
 
 /// What is to be plotted.
 #[derive(Clone, Debug, PartialEq)]
@@ -98,7 +100,24 @@ pub fn log_plot(plot: &LogPlot, size: [f64; 2], theme: Theme) -> Drawing {
         painter.curves();
         low = high + BETWEEN;
     }
+    drawing.description = description(plot);
     drawing
+}
+
+/// The plot in words: of each curve where it begins and ends, and its largest value.
+fn description(plot: &LogPlot) -> String {
+    let mut text = format!("{}. {} The x axis is {}.", plot.title, plot.notes.join(" "), plot.x_name);
+    for panel in &plot.panels {
+        let _ = write!(text, " {}:", panel.y_name);
+        for curve in &panel.curves {
+            let known: Vec<&Spot> = curve.points.iter().filter(|[_, y]| y.is_finite()).collect();
+            let Some((first, last)) = known.first().zip(known.last()) else { continue };
+            let most = known.iter().map(|[_, y]| *y).fold(f64::NEG_INFINITY, f64::max);
+            let [from, to, most] = [first[1], last[1], most].map(brief);
+            let _ = write!(text, " {} goes from {from} to {to}, at most {most};", curve.name);
+        }
+    }
+    text
 }
 
 struct Painter<'a> {

@@ -1,12 +1,19 @@
 //! Every drawing of a recorded ray, once: the command line, the workbench, slides and worked examples all take them from
 //! this list.
 
+use super::csg_bars::csg_bars;
 use super::drawing::Drawing;
 use super::event_plot::event_plot;
+use super::generic_view::{GenericLook, GenericViewOptions, generic_view};
 use super::interval_bars::interval_bars;
+use super::overview::{OverviewOptions, overview};
 use super::palette::Theme;
+use super::plane_table::plane_table;
+use super::shading_bars::shading_bars;
 use super::side_view::{SideViewOptions, side_view};
 use super::sign_plot::sign_plot;
+use super::snell_diagram::snell_diagram;
+use super::wireframe::Wireframe;
 use crate::record::{EventId, What};
 use crate::scene::Scene;
 use crate::trace::RayTree;
@@ -70,6 +77,61 @@ pub static ALL_VIEWS: &[View] = &[
         draw: |subject| {
             let event = primitive_behind(subject.tree, subject.event);
             sign_plot(subject.tree, event, subject.size, subject.theme)
+        },
+    },
+    View {
+        name: "csg",
+        about: "The intervals of every part of a compound at once, as the tree that combines them",
+        missing: "the ray meets no object whose parts could be listed",
+        telling: searches,
+        draw: |subject| {
+            let event = search_behind(subject.tree, subject.event);
+            csg_bars(subject.scene, subject.tree, event, None, subject.size, subject.theme)
+        },
+    },
+    View {
+        name: "generic",
+        about: "The primitive that the ray meets in its own space, with the ray transformed into it",
+        missing: "the ray comes to no primitive",
+        telling: searches,
+        draw: |subject| {
+            let (size, theme) = (subject.size, subject.theme);
+            let options = GenericViewOptions { size, theme, look: GenericLook::default(), probe_t: None };
+            generic_view(subject.scene, subject.tree, primitive_behind(subject.tree, subject.event), &options)
+        },
+    },
+    View {
+        name: "overview",
+        about: "The scene in space as lines, with the camera, the lights and all rays",
+        missing: "nothing was recorded",
+        telling: |tree| vec![tree.end().saturating_sub(1)],
+        draw: |subject| {
+            let options = OverviewOptions { size: subject.size, theme: subject.theme, ..OverviewOptions::default() };
+            overview(subject.scene, &Wireframe::of(subject.scene), subject.tree, subject.event, &options)
+        },
+    },
+    View {
+        name: "snell",
+        about: "Snell's law at an interface: angles, critical angle, and how much is reflected",
+        missing: "the ray meets no surface between two transparent media",
+        telling: |tree| first(tree, |what| matches!(what, What::Snell { .. })),
+        draw: |subject| snell_diagram(subject.tree, subject.event, subject.size, subject.theme),
+    },
+    View {
+        name: "shading",
+        about: "The five terms that make up a colour, and the lights that they come from",
+        missing: "no colour was worked out from the terms of shading",
+        telling: searches,
+        draw: |subject| shading_bars(subject.tree, subject.event, subject.size, subject.theme),
+    },
+    View {
+        name: "planes",
+        about: "The plane table of a cube or polyhedron, and how its slabs narrow the ray",
+        missing: "what the ray meets is not made of planes",
+        telling: searches,
+        draw: |subject| {
+            plane_table(subject.tree, primitive_behind(subject.tree, subject.event), None, subject.size, subject.theme)
+                .map(|table| table.drawing)
         },
     },
     View {

@@ -3,6 +3,8 @@
 //! Each area has a file with an enum of its own, which implements [`Commands`]. Menus, keys, the palette, the help and the tests are made
 //! from [`Command::all`], so that none of them can lack one.
 
+mod compare;
+mod edit;
 mod help;
 mod scene;
 mod search;
@@ -10,6 +12,8 @@ mod share;
 mod step;
 mod view;
 
+pub use compare::CompareCommand;
+pub use edit::EditCommand;
 pub use help::HelpCommand;
 pub use scene::SceneCommand;
 pub use search::SearchCommand;
@@ -18,7 +22,7 @@ pub use step::StepCommand;
 pub use view::ViewCommand;
 
 use crate::app::workbench::Workbench;
-use egui::{Context, KeyboardShortcut};
+use egui::{Context, Event, KeyboardShortcut};
 
 /// The commands of one area.
 pub trait Commands: Copy + 'static {
@@ -99,8 +103,10 @@ macro_rules! areas {
 
 areas! {
     Scene(SceneCommand) = "menu-scene",
+    Edit(EditCommand) = "menu-edit",
     Step(StepCommand) = "menu-step",
     Search(SearchCommand) = "menu-search",
+    Compare(CompareCommand) = "menu-compare",
     View(ViewCommand) = "menu-view",
     Share(ShareCommand) = "menu-share",
     Help(HelpCommand) = "menu-help",
@@ -116,6 +122,10 @@ impl Command {
 
 /// The command whose key was pressed. While a text is typed, keys without Ctrl or Alt belong to it.
 pub fn pressed(ctx: &Context, workbench: &Workbench) -> Option<Command> {
+    let is_pressed = |event: &Event| matches!(event, Event::Key { pressed: true, .. });
+    if !ctx.input(|input| input.events.iter().any(is_pressed)) {
+        return None;
+    }
     let is_typing = ctx.text_edit_focused();
     let mut keyed: Vec<(Command, KeyboardShortcut)> =
         Command::all().into_iter().filter_map(|command| command.key().map(|key| (command, key))).collect();

@@ -54,14 +54,14 @@ impl Preset {
         let mut plan = Plan::default();
         let root = match self {
             Self::Learn => {
-                let left = plan.below(0.5, &[Picture], &[Side, Overview]);
-                let right = plan.below(0.48, &[Detail], &[Along]);
-                let middle = plan.tabs(&[Story]);
+                let left = plan.below(0.5, &[Picture], &[Side, Overview, Search]);
+                let right = plan.below(0.48, &[Detail, Properties], &[Along]);
+                let middle = plan.tabs(&[Story, Editor]);
                 let reading = plan.split(LinearDir::Horizontal, 0.52, middle, right);
                 plan.split(LinearDir::Horizontal, 0.35, left, reading)
             }
             Self::Inspect => {
-                let left = plan.below(0.48, &[Picture, Search], &[Side, Overview, Compare]);
+                let left = plan.below(0.48, &[Picture], &[Side, Overview, Compare, Search]);
                 let middle = plan.below(0.62, &[Story, Editor], &[Detail, Properties]);
                 let upper = plan.below(0.5, &[Generic, Snell, Shading], &[Intervals, Planes]);
                 let lower = plan.tabs(&[Signs, Along]);

@@ -8,7 +8,7 @@ use crate::app::story::recording::Recording;
 use crate::record::EventId;
 use crate::scene::Scene;
 use crate::trace::RayTree;
-use crate::view::{Drawing, Theme, event_plot, interval_bars, sign_plot};
+use crate::view::{Drawing, Theme, event_plot, probed_interval_bars, probed_sign_plot};
 use egui::{Color32, Pos2, Rect, Role, Sense, Ui, Vec2, WidgetInfo, pos2};
 use std::sync::Arc;
 
@@ -39,8 +39,9 @@ impl Plot {
     fn draw(self, key: &Key) -> Option<Drawing> {
         let size = key.size.map(f64::from);
         match self {
-            Self::Bars => interval_bars(&key.tree, key.selected, size, key.theme),
-            Self::Signs => sign_plot(&key.tree, key.selected, size, key.theme),
+            Self::Bars => probed_interval_bars(&key.tree, key.selected, key.probe_t, size, key.theme),
+            Self::Signs => probed_sign_plot(&key.scene, &key.tree, key.selected, key.probe_t, size, key.theme)
+                .map(|plot| plot.drawing),
             Self::Event => event_plot(Some(&key.scene), &key.tree, key.selected, size, key.theme),
         }
     }
@@ -52,6 +53,7 @@ struct Key {
     scene: Arc<Scene>,
     tree: Arc<RayTree>,
     selected: EventId,
+    probe_t: Option<f64>,
     size: [u32; 2],
     theme: Theme,
     pixels_per_point: f32,
@@ -59,7 +61,7 @@ struct Key {
 
 impl PartialEq for Key {
     fn eq(&self, other: &Self) -> bool {
-        let rest = |key: &Self| (key.selected, key.size, key.theme, key.pixels_per_point);
+        let rest = |key: &Self| (key.selected, key.probe_t, key.size, key.theme, key.pixels_per_point);
         Arc::ptr_eq(&self.tree, &other.tree) && rest(self) == rest(other)
     }
 }
@@ -136,6 +138,7 @@ fn show(ui: &Ui, canvas: &mut Canvas<Key>, plot: Plot, recording: &Recording, se
         scene: Arc::clone(&recording.scene),
         tree: Arc::clone(&recording.tree),
         selected,
+        probe_t: recording.probe_t,
         size,
         theme: drawing_theme(ui.ctx()),
         pixels_per_point: ui.pixels_per_point(),
@@ -147,6 +150,7 @@ fn show(ui: &Ui, canvas: &mut Canvas<Key>, plot: Plot, recording: &Recording, se
     outcome.present = true;
     let response = ui.interact(rect, ui.scope_id().with(plot.name()), Sense::click());
     response.widget_info(|| WidgetInfo::labeled(Role::Image, true, plot.name()));
+    ui.ctx().accesskit_node_builder(response.id, |node| node.set_description(drawing.in_words().into_owned()));
     let place = Rect::from_min_size(inside.min, Vec2::from(shown.key.size.map(|points| points as f32)));
     let unit_square = Rect::from_min_max(Pos2::ZERO, pos2(1.0, 1.0));
     ui.painter_at(rect).image(texture.id(), place, unit_square, Color32::WHITE);

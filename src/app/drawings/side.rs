@@ -1,13 +1,14 @@
 //! The side view: the scene cut open along the ray, with everything up to the selected event drawn in.
 
 use crate::app::drawings::canvas::Canvas;
+use crate::app::drawings::seen::describe;
 use crate::app::frame::empty::empty;
 use crate::app::frame::theme::drawing_theme;
 use crate::app::story::recording::Recording;
 use crate::record::EventId;
 use crate::scene::Scene;
 use crate::trace::RayTree;
-use crate::view::{Drawing, SectionPlane, SideViewOptions, Theme, side_view};
+use crate::view::{Drawing, PlaneView, SectionPlane, SideViewOptions, Theme, side_view, side_view_plane};
 use egui::{Color32, CursorIcon, Pos2, Rect, Response, Role, Sense, Ui, Vec2, WidgetInfo, pos2, vec2};
 use std::sync::Arc;
 
@@ -33,6 +34,8 @@ pub struct SidePanel {
     plane: SectionPlane,
     sight: Sight,
     canvas: Canvas<Key>,
+    /// Where the drawing lies on screen, and what it is of.
+    seen: Option<(Rect, Key)>,
 }
 
 /// Everything that the drawing depends on.
@@ -45,32 +48,38 @@ struct Key {
     theme: Theme,
     size: [u32; 2],
     sight: Sight,
+    probe_t: Option<f64>,
     pixels_per_point: f32,
 }
 
 impl PartialEq for Key {
     fn eq(&self, other: &Self) -> bool {
-        let rest = |key: &Self| (key.step, key.plane, key.theme, key.size, key.sight, key.pixels_per_point);
+        let rest =
+            |key: &Self| (key.step, key.plane, key.theme, key.size, key.sight, key.probe_t, key.pixels_per_point);
         Arc::ptr_eq(&self.scene, &other.scene) && Arc::ptr_eq(&self.tree, &other.tree) && rest(self) == rest(other)
     }
 }
 
 impl Key {
-    fn draw(&self) -> Drawing {
-        let options = SideViewOptions {
+    fn options(&self) -> SideViewOptions {
+        SideViewOptions {
             size: self.size.map(f64::from),
             theme: self.theme,
             plane: self.plane,
             zoom: self.sight.zoom,
             pan: self.sight.pan,
-        };
-        side_view(&self.scene, &self.tree, self.step, &options)
+            probe_t: self.probe_t,
+        }
+    }
+
+    fn draw(&self) -> Drawing {
+        side_view(&self.scene, &self.tree, self.step, &self.options())
     }
 }
 
 impl Default for SidePanel {
     fn default() -> Self {
-        Self { plane: SectionPlane::RayAndUp, sight: Sight::WHOLE, canvas: Canvas::default() }
+        Self { plane: SectionPlane::RayAndUp, sight: Sight::WHOLE, canvas: Canvas::default(), seen: None }
     }
 }
 
@@ -78,6 +87,13 @@ impl SidePanel {
     /// Shows the whole scene again.
     pub fn fit(&mut self) {
         self.sight = Sight::WHOLE;
+    }
+
+    /// Where the drawing lies on screen, and which places of the world are where in it; none before it was shown.
+    #[must_use]
+    pub fn plane(&self) -> Option<(Rect, PlaneView)> {
+        let (rect, key) = self.seen.as_ref()?;
+        Some((*rect, side_view_plane(&key.scene, &key.tree, key.step, &key.options())))
     }
 
     /// The choice of the plane and the zoom, for the panel's header (right to left).
@@ -114,8 +130,12 @@ impl SidePanel {
         let response = response.on_hover_and_drag_cursor(CursorIcon::Grab);
         self.pan_and_zoom(ui, &response, rect);
         let key = self.key(ui, scene, recording, rect);
+        self.seen = Some((rect, key.clone()));
         let wanted = key.clone();
         let shown = self.canvas.update(ui.ctx(), &key, move || Some(wanted.draw()))?;
+        if let Some(drawing) = &shown.drawing {
+            describe(ui, &response, "pane-side", drawing);
+        }
         if let Some(texture) = &shown.texture {
             // A drawing that is a moment old is moved to where the new one will be.
             let place = moved(rect, &shown.key, &key);
@@ -137,6 +157,7 @@ impl SidePanel {
             theme: drawing_theme(ui.ctx()),
             size,
             sight: self.sight,
+            probe_t: recording.probe_t,
             pixels_per_point: ui.pixels_per_point(),
         }
     }

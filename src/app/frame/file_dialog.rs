@@ -11,15 +11,20 @@ pub struct FileDialog {
 }
 
 impl FileDialog {
-    /// Opens the dialogue unless it is open.
+    /// Opens the dialogue for scenes unless it is open.
     pub fn open(&mut self, ctx: &Context) {
+        self.open_for(ctx, "Open a scene".to_owned(), "Scene files".to_owned(), &["json"]);
+    }
+
+    /// Opens a dialogue of this title for files of a kind, unless one is open.
+    pub fn open_for(&mut self, ctx: &Context, title: String, kind: String, endings: &'static [&'static str]) {
         if self.answer.is_some() {
             return;
         }
         let (sender, receiver) = channel();
         let ctx = ctx.clone();
         let ask = move || {
-            let dialogue = rfd::FileDialog::new().set_title("Open a scene").add_filter("Scene files", &["json"]);
+            let dialogue = rfd::FileDialog::new().set_title(title).add_filter(kind, endings);
             // The window may have gone away meanwhile; then nobody waits for this.
             let _ = sender.send(dialogue.pick_file());
             ctx.request_repaint();

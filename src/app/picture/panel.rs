@@ -10,7 +10,7 @@ use crate::app::search::pane::Layer;
 use crate::app::story::recording::Recording;
 use crate::scene::Scene;
 use egui::{
-    Color32, EventFilter, Key, Pos2, Rect, Response, Role, Sense, Stroke, StrokeKind, TextureHandle, Ui, Vec2,
+    Color32, EventFilter, Id, Key, Pos2, Rect, Response, Role, Sense, Stroke, StrokeKind, TextureHandle, Ui, Vec2,
     WidgetInfo, pos2, vec2,
 };
 
@@ -22,6 +22,8 @@ const READOUT: f32 = 26.0;
 pub struct ImagePanel {
     reading: Option<Reading>,
     hits: Hits,
+    /// Where the picture lies on screen, and the widget that it is.
+    pub seen: Option<(Placement, Id)>,
 }
 
 /// What the panel shows.
@@ -57,6 +59,7 @@ impl ImagePanel {
         let name = say(ui.ctx(), "picture-name");
         response.widget_info(|| WidgetInfo::labeled(Role::Image, true, &name));
         let response = response.on_hover_cursor(egui::CursorIcon::Crosshair);
+        self.seen = Some((place, response.id));
 
         let painter = ui.painter_at(above);
         match &view.texture {

@@ -7,6 +7,7 @@ use crate::app::frame::words::{say, say_with};
 use crate::query::{FIRST_SIDE, Found, Query, Search, scan};
 use crate::record::EventId;
 use crate::scene::Scene;
+use egui::text::{LayoutJob, TextWrapping};
 use egui::{
     Align2, Button, ColorImage, Context, FontId, Rect, Role, ScrollArea, Sense, TextureHandle, Ui, WidgetInfo, vec2,
 };
@@ -180,7 +181,10 @@ impl Asked {
         let left = left + vec2(84.0, 0.0);
         painter.text(left, Align2::LEFT_CENTER, found.row.icon, FontId::proportional(13.0), palette.accent);
         let left = left + vec2(22.0, 0.0);
-        painter.text(left, Align2::LEFT_CENTER, text, FontId::proportional(13.0), palette.text);
+        let mut job = LayoutJob::simple_singleline(text, FontId::proportional(13.0), palette.text);
+        job.wrap = TextWrapping::truncate_at_width((rect.right() - 8.0 - left.x).max(0.0));
+        let line = ui.ctx().fonts_mut(|fonts| fonts.layout_job(job));
+        painter.galley(left - vec2(0.0, 0.5 * line.size().y), line, palette.text);
         response.on_hover_text(name).clicked()
     }
 }

@@ -3,7 +3,7 @@
 use crate::app::frame::theme::colour;
 use crate::query::Search;
 use crate::view::{HeatMap, Theme};
-use egui::{Color32, ColorImage, Context, TextureHandle, TextureOptions};
+use egui::{Color32, ColorImage, Context, TextureFilter, TextureHandle, TextureOptions};
 
 /// Something over the picture, in its size.
 pub struct Layer {
@@ -16,8 +16,8 @@ pub struct Layer {
 /// The hatching of pixels that were found: light and dark by turns, so that it is seen on any picture.
 const LIGHT: Color32 = Color32::from_rgba_premultiplied(230, 230, 230, 230);
 const DARK: Color32 = Color32::from_rgba_premultiplied(10, 10, 16, 200);
-/// Pixels of the picture from one line of the hatching to the next.
-const PERIOD: u32 = 6;
+/// Lines of the hatching across the picture: more would hide it, fewer would miss small places.
+const LINES: u32 = 64;
 
 /// The pixels that were found: an outline, and lines across where there is room for them.
 pub fn found(search: &Search) -> ColorImage {
@@ -26,13 +26,14 @@ pub fn found(search: &Search) -> ColorImage {
         let inside = u32::try_from(x).ok().zip(u32::try_from(y).ok());
         inside.and_then(|pixel| search.grid.at(pixel.into())).unwrap_or(false)
     };
+    let period = (width / LINES).max(4);
     let pixel = |x: u32, y: u32| {
         let [column, row] = [i64::from(x), i64::from(y)];
         if !matches(column, row) {
             return Color32::TRANSPARENT;
         }
         let is_rim = [(1, 0), (-1, 0), (0, 1), (0, -1)].iter().any(|(dx, dy)| !matches(column + dx, row + dy));
-        match (x + y) % PERIOD {
+        match (x + y) % period {
             _ if is_rim => LIGHT,
             0 => LIGHT,
             1 => DARK,
@@ -50,7 +51,9 @@ pub fn map(map: &HeatMap, theme: Theme) -> ColorImage {
 
 /// Puts a layer where it can be drawn from.
 pub fn upload(ctx: &Context, name: &str, image: ColorImage) -> TextureHandle {
-    ctx.load_texture(name, image, TextureOptions::NEAREST)
+    // Large pixels have sharp edges; where several are one on screen, each has its share.
+    let options = TextureOptions { minification: TextureFilter::Linear, ..TextureOptions::NEAREST };
+    ctx.load_texture(name, image, options)
 }
 
 /// Drops what may be large, in a thread of its own: that can take longer than a frame has.

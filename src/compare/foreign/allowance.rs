@@ -25,6 +25,8 @@ const SLANT: f64 = 10.0;
 #[derive(Clone, Copy, Debug)]
 pub struct Allowance {
     share: f64,
+    /// The share before it grew.
+    plain: f64,
     /// How far the ray's start lies from ours.
     moved: f64,
 }
@@ -32,7 +34,7 @@ pub struct Allowance {
 impl Allowance {
     /// What is allowed along a ray, so many rays away from the camera ray, whose start lies `moved` from ours.
     pub fn new(share: f64, depth: u32, moved: f64) -> Self {
-        Self { share: share * 4_f64.powi(depth.min(5).cast_signed()), moved }
+        Self { share: share * 4_f64.powi(depth.min(5).cast_signed()), plain: share, moved }
     }
 
     /// How far the ray's start lies from ours.
@@ -66,8 +68,8 @@ impl Allowance {
         self.share * DERIVED * size + SLANT * self.moved
     }
 
-    /// Of a colour.
+    /// Of a colour. It is allowed no more on deeper rays: what is wrong there is to be found there, not where it is added up.
     pub fn colour(&self, colour: DVec3) -> f64 {
-        self.share * COLOURS * colour.abs().max_element().max(1.0) + SLANT * self.moved
+        self.plain * COLOURS * colour.abs().max_element().max(1.0) + SLANT * self.moved
     }
 }

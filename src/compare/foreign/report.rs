@@ -1,6 +1,6 @@
 //! The comparison of all that a foreign ray tracer says with our own stories.
 
-use super::causes::{Case, Explanation, explain};
+use super::causes::{CAUSES, CLOSE, Case, Cause, Explanation, explain};
 use super::check::{Check, Subject};
 use super::line::{Line, RayWord};
 use super::ours::Ours;
@@ -10,6 +10,7 @@ use crate::scene::{Sampling, Scene, Shortcuts};
 use crate::trace::{RayTree, record_pixel, record_ray};
 use crate::view::row;
 use glam::DVec3;
+use rayon::prelude::*;
 
 /// What a story is about.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -36,8 +37,8 @@ pub struct StoryComparison {
     pub place: Place,
     /// Its first line.
     pub line: usize,
-    /// Our own story.
-    pub tree: RayTree,
+    /// Our own story; kept of the first fifty that depart.
+    pub tree: Option<RayTree>,
     /// How many things were compared.
     pub checks: usize,
     /// How many of them depart.
@@ -66,6 +67,35 @@ impl Comparison {
         self.stories.iter().map(|story| story.checks).sum()
     }
 
+    /// The causes that explain the first departures of the most stories, with how many each explains.
+    #[must_use]
+    pub fn verdict(&self) -> Vec<(&'static Cause, usize)> {
+        let mut counts: Vec<(&'static Cause, usize)> = CAUSES.iter().map(|cause| (*cause, 0)).collect();
+        let departures = self.stories.iter().filter_map(|story| story.departure.as_ref());
+        for explanation in departures.flat_map(|departure| &departure.causes) {
+            if let Some((_, count)) = counts.iter_mut().find(|(cause, _)| *cause == explanation.cause) {
+                *count += 1;
+            }
+        }
+        counts.retain(|(_, count)| *count > 0);
+        counts.sort_by_key(|(_, count)| std::cmp::Reverse(*count));
+        counts
+    }
+
+    /// One program mostly makes one mistake: of the causes that explain a departure, that one is the likeliest which explains
+    /// the most others too.
+    fn weigh(&mut self) {
+        let verdict = self.verdict();
+        let count = |explanation: &Explanation| {
+            verdict.iter().find(|(cause, _)| *cause == explanation.cause).map_or(0, |(_, count)| *count)
+        };
+        for departure in self.stories.iter_mut().filter_map(|story| story.departure.as_mut()) {
+            departure
+                .causes
+                .sort_by_key(|explanation| (explanation.misfit > CLOSE, std::cmp::Reverse(count(explanation))));
+        }
+    }
+
     /// The first story that departs.
     #[must_use]
     pub fn first_departure(&self) -> Option<(&StoryComparison, &ForeignDeparture)> {
@@ -87,21 +117,55 @@ pub fn compare_foreign(scene: &Scene, trace: &ForeignTrace, share: f64) -> Resul
     if let Some([width, height]) = trace.size() {
         (scene.image.width, scene.image.height) = (width.max(1), height.max(1));
     }
+    // The errors too are told in the order of the lines.
+    let told: Vec<Result<Told, String>> =
+        stories_of(&trace.lines).into_par_iter().map(|lines| told(&scene, lines, share)).collect();
     let mut notes = trace.unknown();
     let mut stories = Vec::new();
-    for lines in stories_of(&trace.lines) {
-        let Some(place) = place_of(lines) else {
-            let first = lines.first().map_or(0, |line| line.number);
-            notes.push(format!(
-                "line {first}: these lines belong to no pixel and to no ray; begin with {{\"pixel\": [column, row]}} or \
-                 with a camera ray that has an origin and a direction"
-            ));
-            continue;
-        };
-        let tree = record(&scene, place, lines)?;
-        stories.push(story(&scene, place, tree, lines, share, &mut notes));
+    let mut kept = 0;
+    for told in told {
+        let Told { story, notes: more } = told?;
+        notes.extend(more);
+        stories.extend(story.map(|story| {
+            kept += usize::from(story.departure.is_some());
+            let is_kept = story.departure.is_some() && kept <= MOST_TREES;
+            StoryComparison { tree: story.tree.filter(|_| is_kept), ..story }
+        }));
     }
-    Ok(Comparison { stories, notes })
+    if notes.len() > MOST_NOTES {
+        let more = notes.len() - MOST_NOTES;
+        notes.truncate(MOST_NOTES);
+        notes.push(format!("and {more} more notes"));
+    }
+    let mut comparison = Comparison { stories, notes };
+    comparison.weigh();
+    Ok(comparison)
+}
+
+/// Notes that are kept; nobody reads more.
+const MOST_NOTES: usize = 30;
+/// Trees of ours that are kept, of the first stories that depart: a whole picture's would fill the memory.
+const MOST_TREES: usize = 50;
+
+/// What came out of the lines of one story.
+struct Told {
+    story: Option<StoryComparison>,
+    notes: Vec<String>,
+}
+
+fn told(scene: &Scene, lines: &[Line], share: f64) -> Result<Told, String> {
+    let Some(place) = place_of(lines) else {
+        let first = lines.first().map_or(0, |line| line.number);
+        let note = format!(
+            "line {first}: these lines belong to no pixel and to no ray; begin with {{\"pixel\": [column, row]}} or with a \
+             camera ray that has an origin and a direction"
+        );
+        return Ok(Told { story: None, notes: vec![note] });
+    };
+    let tree = record(scene, place, lines)?;
+    let mut notes = Vec::new();
+    let story = story(scene, place, tree, lines, share, &mut notes);
+    Ok(Told { story: Some(story), notes })
 }
 
 fn record(scene: &Scene, place: Place, lines: &[Line]) -> Result<RayTree, String> {
@@ -136,7 +200,7 @@ fn story(
     let departure = first.map(|check| departure(&ours, check, &walk.checks));
     let (checks, departing) = (walk.checks.len(), departing.len());
     let line = lines.first().map_or(0, |line| line.number);
-    StoryComparison { place, line, checks, departing, departure, tree }
+    StoryComparison { place, line, checks, departing, departure, tree: Some(tree) }
 }
 
 fn departure(ours: &Ours, check: &Check, checks: &[Check]) -> ForeignDeparture {

@@ -48,7 +48,8 @@ impl Walk<'_, '_> {
                 && self.ours.tree.event(sent.event).parent == Some(light)
         });
         let Some(sent) = sent else { return };
-        let places = [sent.event, sent.event];
+        // Whatever was found out on the way comes before what follows from it.
+        let places = [sent.event, self.ours.tree.subtree_end(sent.event).saturating_sub(1)];
         if let Some(lit) = line.lit {
             let word = |lit: bool| if lit { "light arrives" } else { "no light arrives" }.to_owned();
             self.words(line, places, ray, Subject::Lit(light), word(arrives), word(lit));

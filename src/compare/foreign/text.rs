@@ -23,6 +23,11 @@ pub fn comparison_text(comparison: &Comparison) -> String {
         return text;
     }
     text += &format!("{} of {stories} depart; {numbers} compared\n", departing.len());
+    if departing.len() > 1
+        && let Some((cause, explains)) = comparison.verdict().first()
+    {
+        text += &format!("explains {explains} of them: {} [{}]\n", cause.says, cause.id);
+    }
     for story in departing {
         if let Some(departure) = &story.departure {
             text.push('\n');
@@ -38,7 +43,7 @@ fn put_departure(text: &mut String, story: &StoryComparison, departure: &Foreign
     *text += &format!("{} (line {}): {holding}, {} not\n", story.place.words(), story.line, story.departing);
     *text += &format!("  first departure: line {}, {} of the {}\n", check.line, check.subject.words(), departure.ray);
     *text += &format!("  at event {}: {}\n", check.event, departure.event);
-    let [ours, theirs] = both(check);
+    let [ours, theirs] = check.texts();
     *text += &format!("    ours:   {ours}\n    theirs: {theirs}\n");
     if check.off.is_finite() {
         let [off, allowed] = [check.off, check.allowed].map(|x| crate::view::significant(x, 2));
@@ -54,10 +59,13 @@ fn put_departure(text: &mut String, story: &StoryComparison, departure: &Foreign
     }
 }
 
-/// Ours and theirs as people read them.
-pub(super) fn both(check: &Check) -> [String; 2] {
-    let [ours, theirs] = [&check.ours, &check.theirs].map(|said| Some(none_in_words(said)));
-    Change { name: String::new(), left: ours, right: theirs }.texts()
+impl Check {
+    /// Ours and theirs as people read them.
+    #[must_use]
+    pub fn texts(&self) -> [String; 2] {
+        let [left, right] = [&self.ours, &self.theirs].map(|said| Some(none_in_words(said)));
+        Change { name: String::new(), left, right }.texts()
+    }
 }
 
 /// Numbers that are none stand for nothing there.

@@ -1,8 +1,8 @@
 //! A bump: the tangent plane seen from above with what tilts the normal, and a cut through both normals.
 
-use super::sheet::{Fact, SMALL, Sheet, is_roomy};
 use crate::record::{Bump, Triple};
 use crate::view::drawing::length;
+use crate::view::sheet::{Fact, SMALL, Sheet, is_roomy};
 use crate::view::text::{angle_between, brief, place};
 use crate::view::{Anchor, Form, Frame, Spot, Stroke};
 use glam::DVec3;

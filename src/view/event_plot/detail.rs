@@ -1,8 +1,7 @@
 //! The face with the polygon on it, in (u, v), and the hit.
 
-use super::chart::{Chart, bounds, within_axes};
-use super::sheet::{Fact, Sheet, is_roomy};
 use crate::record::Detail;
+use crate::view::sheet::{Chart, Fact, Sheet, bounds, is_roomy, within_axes};
 use crate::view::text::place;
 use crate::view::{Frame, Spot, Stroke};
 

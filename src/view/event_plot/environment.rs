@@ -1,10 +1,9 @@
 //! The environment's map with the place that the direction points at, and what the pixel covers of it, enlarged.
 
-use super::chart::{Chart, bounds};
 use super::picture;
-use super::sheet::{Fact, SMALL, Sheet, is_roomy, rim, shown};
 use crate::record::Environment;
 use crate::texture::image::Texels;
+use crate::view::sheet::{Chart, Fact, SMALL, Sheet, bounds, is_roomy, rim, shown};
 use crate::view::text::{brief, brief_vector, solid_angle};
 use crate::view::{Anchor, Form, Frame, Spot, Stroke};
 

@@ -1,8 +1,7 @@
 //! A ray's stretch in a medium: what is left of each colour along it, and the points at which light is turned.
 
-use super::chart::{Chart, within_axes};
-use super::sheet::{Fact, Sheet, is_roomy};
 use crate::record::Segment;
+use crate::view::sheet::{Chart, Fact, Sheet, is_roomy, within_axes};
 use crate::view::text::{brief, brief_vector};
 use crate::view::{Spot, Stroke};
 

@@ -1,11 +1,10 @@
 //! White light taken apart at an interface: a ray of each wavelength in its own colour, and the index of refraction that
 //! bends it so.
 
-use super::chart::{Chart, bounds};
-use super::sheet::{Fact, Sheet, is_roomy, shown};
 use crate::optics::pure;
 use crate::record::{EventId, Wavelength, What};
 use crate::trace::RayTree;
+use crate::view::sheet::{Chart, Fact, Sheet, bounds, is_roomy, shown};
 use crate::view::text::{brief, degrees};
 use crate::view::{Colour, Form, Frame, Spot, Stroke};
 use glam::DVec3;

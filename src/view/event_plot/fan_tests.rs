@@ -1,9 +1,9 @@
 //! Tests of the drawing of light taken apart.
 
-use super::tests::assert_readable;
 use super::*;
 use crate::optics::{Dispersion, bands};
 use crate::record::Wavelength;
+use crate::view::readable::assert_readable;
 use crate::view::sample::Sketch;
 use crate::view::{Form, Spot};
 

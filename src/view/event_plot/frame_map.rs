@@ -1,8 +1,7 @@
 //! Tangent, binormal and normal before and after, in space, with the roughness along and across the grain.
 
-use super::chart::Oblique;
-use super::sheet::{Fact, Sheet, is_roomy};
 use crate::record::{FrameMap, Triple};
+use crate::view::sheet::{Fact, Oblique, Sheet, is_roomy};
 use crate::view::text::{brief, place};
 use crate::view::{Spot, Stroke};
 use glam::DVec3;

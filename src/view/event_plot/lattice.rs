@@ -1,8 +1,7 @@
 //! A cell of the noise lattice in space: what its eight corners say of the point, and how much each counts.
 
-use super::chart::{Chart, Oblique, bounds, within_axes};
-use super::sheet::{Fact, SMALL, Sheet, is_roomy};
 use crate::record::{Lattice, LatticeCorner, Triple};
+use crate::view::sheet::{Chart, Fact, Oblique, SMALL, Sheet, bounds, is_roomy, within_axes};
 use crate::view::text::{brief, brief_vector};
 use crate::view::{Anchor, Colour, Frame, Spot, Stroke};
 use glam::DVec3;

@@ -1,8 +1,7 @@
 //! A thin lens from the side: the plane of focus, the sample's ray, all rays of its place, and how far they spread at the hit.
 
-use super::chart::{Chart, within_axes};
-use super::sheet::{Fact, SMALL, Sheet, is_roomy};
 use crate::record::{Confusion, Lens, Triple};
+use crate::view::sheet::{Chart, Fact, SMALL, Sheet, is_roomy, within_axes};
 use crate::view::text::{brief, place};
 use crate::view::{Anchor, Form, Frame, Spot, Stroke};
 use glam::DVec3;

@@ -1,8 +1,7 @@
 //! The phase function at a point where light is turned: its lobe as a polar curve about the ray, with the ways to the lights.
 
-use super::chart::Chart;
-use super::sheet::{Fact, Sheet, is_roomy};
 use crate::record::Phase;
+use crate::view::sheet::{Chart, Fact, Sheet, is_roomy};
 use crate::view::text::brief;
 use crate::view::{Colour, Spot, Stroke};
 use std::f64::consts::{PI, TAU};

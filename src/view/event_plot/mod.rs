@@ -5,8 +5,6 @@
 //! One file for each kind of event, all of one signature: a [`Sheet`] and what the event holds.
 
 mod bump;
-mod chart;
-mod clip;
 mod detail;
 mod environment;
 mod fading;
@@ -20,7 +18,6 @@ mod lobe;
 mod octaves;
 mod picture;
 mod rings;
-mod sheet;
 mod telling;
 #[cfg(test)]
 mod tests;
@@ -29,10 +26,10 @@ mod undulate;
 
 use super::drawing::Drawing;
 use super::palette::Theme;
+use super::sheet::Sheet;
 use crate::record::{EventId, What};
 use crate::scene::Scene;
 use crate::trace::RayTree;
-use sheet::Sheet;
 use telling::{footprint_of, lens_of, phases_of, point_of, telling, turned_on};
 
 /// The drawing of a look-up, bump, frame or detail: that of `selected` itself, or of the most telling one that belongs to

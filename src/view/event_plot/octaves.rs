@@ -1,9 +1,8 @@
 //! The terms of a turbulence, each on top of the sum of those before it.
 
-use super::chart::{Chart, within_axes};
-use super::sheet::{SMALL, Sheet, is_roomy};
 use crate::record::{Octave, Octaves};
 use crate::view::labels::Label;
+use crate::view::sheet::{Chart, SMALL, Sheet, is_roomy, within_axes};
 use crate::view::text::brief;
 use crate::view::{Anchor, Colour, Form, Frame, Spot, Stroke};
 

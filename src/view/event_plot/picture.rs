@@ -1,8 +1,7 @@
 //! An image behind a drawing of its texels, in blocks that are large enough to be seen.
 
-use super::chart::Chart;
-use super::sheet::{Sheet, shown};
 use crate::texture::image::{Texels, Wraps};
+use crate::view::sheet::{Chart, Sheet, shown};
 
 /// Points. Smaller blocks would make files large and show no more.
 const SMALLEST_BLOCK: f64 = 6.0;

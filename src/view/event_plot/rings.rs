@@ -1,8 +1,7 @@
 //! The log cut across: light and dark rings, and the point in one of them.
 
-use super::chart::{Chart, within_axes};
-use super::sheet::{Fact, Sheet, is_roomy, rim};
 use crate::record::{Rings, Triple};
+use crate::view::sheet::{Chart, Fact, Sheet, is_roomy, rim, within_axes};
 use crate::view::text::brief;
 use crate::view::{Colour, Spot, Stroke};
 

@@ -2,10 +2,11 @@
 
 use super::*;
 use crate::record::Triple;
+use crate::view::readable::assert_readable;
 use crate::view::sample::{Sketch, every_kind};
 use crate::view::sample_effects as effects;
 use crate::view::sample_texture as sample;
-use crate::view::{Form, Frame, Spot, Text};
+use crate::view::{Form, Spot};
 
 const SIZE: [f64; 2] = [620.0, 380.0];
 
@@ -57,35 +58,6 @@ fn every_drawing_is_the_one_that_was_looked_at() {
         settings.set_snapshot_suffix(name);
         settings.set_description(format!("the drawing of the sample event, {name}"));
         settings.bind(|| insta::assert_snapshot!("event_plot", drawn(what).to_text()));
-    }
-}
-
-/// The box of a mark.
-fn extent(form: &Form) -> Frame {
-    let around = |points: &[Spot]| {
-        let [low, high] = chart::bounds(points.iter().copied()).expect("a mark has a place");
-        Frame { low, high }
-    };
-    match form {
-        Form::Line { points, .. } => around(points),
-        Form::Area { rings, .. } => around(&rings.concat()),
-        Form::Circle { centre, radius, .. } | Form::Arc { centre, radius, .. } => around(&[*centre]).grown(*radius),
-        Form::Arrow { from, to, .. } => around(&[*from, *to]),
-        Form::Rect { frame, .. } => *frame,
-        Form::Text(text) => text.frame(),
-    }
-}
-
-pub(super) fn assert_readable(drawing: &Drawing, what: &str) {
-    let canvas = drawing.frame().grown(0.01);
-    for mark in &drawing.marks {
-        assert!(canvas.holds(&extent(&mark.form)), "{what}: {:?} is cut off", mark.form);
-    }
-    let texts: Vec<&Text> = drawing.texts().collect();
-    for (i, text) in texts.iter().enumerate() {
-        for other in &texts[..i] {
-            assert!(!text.frame().overlaps(&other.frame()), "{what}: “{}” covers “{}”", text.text, other.text);
-        }
     }
 }
 
@@ -230,8 +202,11 @@ fn texels_are_filled_with_their_colours_and_stand_for_their_event() {
             _ => None,
         })
         .collect();
-    let expected =
-        sample::texels().texels.iter().map(|share| (sheet::shown(share.colour), Some(1))).collect::<Vec<_>>();
+    let expected = sample::texels()
+        .texels
+        .iter()
+        .map(|share| (crate::view::sheet::shown(share.colour), Some(1)))
+        .collect::<Vec<_>>();
     assert_eq!(fills, expected);
     let weights = ["0.375", "0.0625"].map(|weight| drawing.texts().filter(|text| text.text == weight).count());
     assert_eq!(weights, [2, 4]);

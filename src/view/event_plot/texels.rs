@@ -1,11 +1,10 @@
 //! The pixel on the grid of texels: its outline, the place of the hit, and how much each texel counts.
 
-use super::chart::{Chart, bounds, within_axes};
-use super::sheet::{Fact, SMALL, Sheet, ink_on, is_roomy, rim, shown};
 use super::telling::Footprint;
 use crate::record::{TexelShare, Texels};
 use crate::view::fonts::text_width;
 use crate::view::labels::Label;
+use crate::view::sheet::{Chart, Fact, SMALL, Sheet, bounds, ink_on, is_roomy, rim, shown, within_axes};
 use crate::view::text::{brief, brief_vector, place, spoken};
 use crate::view::{Anchor, Face, Frame, Spot, Stroke};
 

@@ -1,8 +1,7 @@
 //! The three channels of a colour spline over [−1, 1], the colours that they make, and the place that is asked for.
 
-use super::chart::{Chart, within_axes};
-use super::sheet::{Fact, SMALL, Sheet, TEXT, is_roomy, shown};
 use crate::record::{Stop, Undulate};
+use crate::view::sheet::{Chart, Fact, SMALL, Sheet, TEXT, is_roomy, shown, within_axes};
 use crate::view::text::{brief, brief_vector};
 use crate::view::{Anchor, Colour, Form, Frame, Spot, Stroke};
 

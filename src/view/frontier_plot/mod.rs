@@ -82,7 +82,25 @@ pub fn frontier_plot(plot: &FrontierPlot, size: [f64; 2], theme: Theme) -> Drawi
     axes::draw(&mut paper, &layout);
     marker::draw(&mut paper, &layout);
     spread::draw(&mut paper, &layout, &places);
+    paper.drawing.description = description(plot);
     paper.drawing
+}
+
+/// The plot in words: every setting with its time and its error, those that nothing beats first.
+fn description(plot: &FrontierPlot) -> String {
+    let mut text = format!("{}. {}", plot.title, plot.notes.join(" "));
+    let told = |point: &PlotPoint| {
+        let error = if point.error > 0.0 { error(point.error) } else { "no error".to_owned() };
+        format!(" {}: {}, {error};", point.name, seconds(point.seconds))
+    };
+    for (is_best, heading) in [(true, " Nothing beats:"), (false, " Others:")] {
+        let points: Vec<String> = plot.points.iter().filter(|point| point.on_frontier == is_best).map(told).collect();
+        if !points.is_empty() {
+            text.push_str(heading);
+            text.push_str(&points.concat());
+        }
+    }
+    text
 }
 
 /// Where everything but the labels of the upper field lies.

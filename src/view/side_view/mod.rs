@@ -7,10 +7,14 @@ mod plane;
 mod rays;
 mod section;
 mod solids;
+mod telling;
 #[cfg(test)]
 mod tests;
 
+pub(super) use plane::view_up;
 pub use plane::{PlaneView, SectionPlane};
+pub(super) use section::section;
+pub(super) use telling::told_rays;
 
 use super::axis::round_step;
 use super::drawing::{Anchor, Drawing, Form, Spot, Stroke};
@@ -36,11 +40,20 @@ pub struct SideViewOptions {
     pub zoom: f64,
     /// How far the drawing is shifted, in points to the right and down.
     pub pan: [f64; 2],
+    /// A time on the current ray that is marked.
+    pub probe_t: Option<f64>,
 }
 
 impl Default for SideViewOptions {
     fn default() -> Self {
-        Self { size: [640.0, 420.0], theme: Theme::Light, plane: SectionPlane::RayAndUp, zoom: 1.0, pan: [0.0, 0.0] }
+        Self {
+            size: [640.0, 420.0],
+            theme: Theme::Light,
+            plane: SectionPlane::RayAndUp,
+            zoom: 1.0,
+            pan: [0.0, 0.0],
+            probe_t: None,
+        }
     }
 }
 
@@ -122,9 +135,12 @@ impl SideView<'_> {
         self.eye();
         self.lights();
         self.angles();
+        self.probe(options.probe_t);
         self.caption(options.plane);
         self.scale_bar();
         self.place_labels();
+        let rays = told_rays(self.tree, self.flights, self.step);
+        self.drawing.description = format!("{}. {rays}", self.title(options.plane));
         self.drawing
     }
 
@@ -158,18 +174,22 @@ impl SideView<'_> {
     }
 
     fn caption(&mut self, plane: SectionPlane) {
-        let current = self.current().kind.name();
-        let text = match plane {
-            SectionPlane::RayAndUp if matches!(self.tree.events[0].what, What::LooseRay { .. }) => {
-                "Section through the ray and the view's up".to_owned()
-            }
-            SectionPlane::RayAndUp => "Section through the camera ray and the view's up".to_owned(),
-            SectionPlane::Incidence => format!("Plane of incidence of the {current} ray"),
-        };
+        let text = self.title(plane);
         let text = shortened(&text, self.drawing.width - 2.0 * MARGIN, TEXT, Face::Sans);
         let label = Label::new(text, TEXT, self.palette.faint);
         let text = label.at([MARGIN, MARGIN + 4.0], Anchor::Start, Some(self.palette.ground));
         self.placer.put_at(&mut self.drawing, text, None);
+    }
+
+    /// Which plane it is.
+    fn title(&self, plane: SectionPlane) -> String {
+        match plane {
+            SectionPlane::RayAndUp if matches!(self.tree.events[0].what, What::LooseRay { .. }) => {
+                "Section through the ray and the view's up".to_owned()
+            }
+            SectionPlane::RayAndUp => "Section through the camera ray and the view's up".to_owned(),
+            SectionPlane::Incidence => format!("Plane of incidence of the {} ray", self.current().kind.name()),
+        }
     }
 
     fn scale_bar(&mut self) {

@@ -23,6 +23,21 @@ impl SideView<'_> {
         self.rejected();
     }
 
+    /// The time on the current ray that is looked at.
+    pub(super) fn probe(&mut self, probe_t: Option<f64>) {
+        let Some(t) = probe_t.filter(|t| t.is_finite()) else { return };
+        let flight = self.current().clone();
+        let at = self.spot_at(&flight, t);
+        if !self.drawing.frame().contains(at) {
+            return;
+        }
+        let (fill, rim) = (Some(self.palette.highlight), Some(Stroke::solid(self.palette.ink, 1.6)));
+        self.drawing.put(Form::Circle { centre: at, radius: 6.0, fill, stroke: rim }, flight.event);
+        self.placer.avoid_spot(at, 7.0);
+        let label = Label::new(format!("t = {}", brief(t)), TEXT, self.palette.ink).of(flight.event);
+        self.labels.insert(0, Waiting { around: at, gap: 8.0, label });
+    }
+
     /// The hits of all rays so far, each with its normal.
     fn hits(&mut self) {
         let current = self.flights.owner(self.step);

@@ -102,7 +102,7 @@ pub(super) fn choose(
 
 /// The view's up direction: the axis of the world that stands upright in the picture, so that floors lie level in the
 /// drawing; the image's own vertical for a camera that is rolled.
-fn view_up(camera: &Camera) -> DVec3 {
+pub(in crate::view) fn view_up(camera: &Camera) -> DVec3 {
     let axes = [DVec3::X, DVec3::Y, DVec3::Z, DVec3::NEG_X, DVec3::NEG_Y, DVec3::NEG_Z];
     let upright = axes.into_iter().filter(|axis| axis.dot(camera.right).abs() < 1e-9 && axis.dot(camera.up) > 0.3);
     upright.max_by(|a, b| a.dot(camera.up).total_cmp(&b.dot(camera.up))).unwrap_or(camera.up)

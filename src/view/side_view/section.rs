@@ -14,7 +14,7 @@ use crate::shape::Part;
 
 /// The filled area and its outline.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(super) struct Section {
+pub(in crate::view) struct Section {
     /// Rings of the area.
     pub rings: Vec<Vec<Spot>>,
     /// Lines round it; rings alone would also show the seams between chains.
@@ -56,7 +56,7 @@ struct Chain {
 }
 
 /// The section of a solid within the canvas.
-pub(super) fn section(solid: &Solid, plane: &PlaneView, canvas: Frame) -> Section {
+pub(in crate::view) fn section(solid: &Solid, plane: &PlaneView, canvas: Frame) -> Section {
     let canvas = canvas.grown(OUTSIDE);
     let (chains, open, middles, section) = Default::default();
     let mut sweep = Sweep { solid, plane, canvas, chains, open, middles, section };

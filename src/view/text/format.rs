@@ -73,7 +73,7 @@ pub fn span_list(spans: &[Span]) -> String {
 }
 
 /// Inside intervals as times alone, such as `[1.2, 3.4] [5, ∞)`.
-pub(super) fn times(spans: &[Span]) -> String {
+pub(in crate::view) fn times(spans: &[Span]) -> String {
     if spans.is_empty() {
         return "nothing".to_owned();
     }

@@ -298,7 +298,7 @@ fn times_at(all: impl Iterator<Item = f64>) -> String {
 }
 
 /// `torus ring`, or `torus` where the leaf is named for its shape.
-pub(super) fn titled(shape: &str, name: &str) -> String {
+pub(in crate::view) fn titled(shape: &str, name: &str) -> String {
     let shape = shape.replace('_', " ");
     if name == shape || name.is_empty() || name.replace('_', " ") == shape { shape } else { format!("{shape} {name}") }
 }

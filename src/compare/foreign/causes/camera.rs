@@ -35,7 +35,19 @@ pub fn of_direction(case: Case, guesses: &mut Vec<Guess>) {
     ] {
         guesses.push(Guess::vector(cause, place(a, b), through(a, b)));
     }
-    let [across, up] = [2.0 * (x + 0.5) / width - 1.0, 1.0 - 2.0 * (y + 0.5) / height];
+    of_frame(case, [x + 0.5, y + 0.5], guesses);
+    let ours = case.direction();
+    guesses.push(Guess::vector(&VIEW_BACKWARDS, "−dir", -ours));
+    let beside = ours - 2.0 * ours.dot(camera.forward) * camera.forward;
+    guesses.push(Guess::vector(&VIEW_BACKWARDS, "−forward + a right + b up", beside));
+}
+
+/// Guesses about how a point of the picture is taken to the image plane.
+fn of_frame(case: Case, [x, y]: [f64; 2], guesses: &mut Vec<Guess>) {
+    let scene = case.ours.scene;
+    let camera = &scene.camera;
+    let (width, height) = (f64::from(scene.image.width), f64::from(scene.image.height));
+    let [across, up] = [2.0 * x / width - 1.0, 1.0 - 2.0 * y / height];
     let h = camera.half_height;
     let plane = |a: f64, b: f64| camera.forward + camera.right * a + camera.up * b;
     let whole = (2.0 * h.atan()).tan();
@@ -53,10 +65,6 @@ pub fn of_direction(case: Case, guesses: &mut Vec<Guess>) {
     ] {
         guesses.push(Guess::vector(cause, how, plane(a, b)));
     }
-    let ours = case.direction();
-    guesses.push(Guess::vector(&VIEW_BACKWARDS, "−dir", -ours));
-    let beside = ours - 2.0 * ours.dot(camera.forward) * camera.forward;
-    guesses.push(Guess::vector(&VIEW_BACKWARDS, "−forward + a right + b up", beside));
 }
 
 fn of_loose_ray(case: Case, guesses: &mut Vec<Guess>) {

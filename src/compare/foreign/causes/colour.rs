@@ -2,8 +2,8 @@
 
 use super::light::{Lit, lit, wrong_diffuse, wrong_specular};
 use super::{
-    AMBIENT_PER_LIGHT, AMBIENT_UNLIT, BYTES, CLAMPED, Case, Cause, GAMMA, GAMMA_MISSING, Guess, TERM_MISSING,
-    TERM_UNWEIGHTED, number,
+    AMBIENT_PER_LIGHT, AMBIENT_UNLIT, BEYOND_LIGHT, BYTES, CLAMPED, Case, Cause, GAMMA, GAMMA_MISSING, Guess, SELF_HIT,
+    TERM_MISSING, TERM_UNWEIGHTED, number,
 };
 use crate::compare::Said;
 use crate::compare::foreign::check::Term;
@@ -65,6 +65,13 @@ pub fn of_colour(case: Case, guesses: &mut Vec<Guess>) {
     }
     for (cause, how, change) in wrong_lights(case) {
         guesses.push(Guess::vector(cause, format!("{how}: the sum"), terms.total + change));
+    }
+    for event in case.ours.of(case.check.ray) {
+        let (What::Light { name, .. }, Some(lost)) = (&event.what, lit(case, event.id)) else { continue };
+        let how = format!("the sum without the light {name}, which does not arrive");
+        for cause in [&SELF_HIT, &BEYOND_LIGHT] {
+            guesses.push(Guess::vector(cause, how.clone(), terms.total - lost.diffuse - lost.specular));
+        }
     }
 }
 

@@ -1,6 +1,6 @@
 //! What can be wrong with the hit that is taken, and with its point.
 
-use super::times::wrong_times;
+use super::times::{wrong_intervals, wrong_times};
 use super::{
     CAP_MISSING, CAP_UNBOUNDED, Case, Cause, DIRECTION_NORMALISED, Explanation, FAR_ROOT, Guess, HIT_MISSED,
     NEGATIVE_T, NOT_CLOSEST, POINT_FROM_ORIGIN, POINT_GENERIC, POINT_UNIT_DIRECTION, REJECTED_TAKEN,
@@ -25,6 +25,7 @@ pub fn of_time(case: Case, guesses: &mut Vec<Guess>) {
     of_rejected(case, guesses);
     of_candidates(case, guesses);
     of_wrong_times(case, guesses);
+    of_first_hits(case, guesses);
 }
 
 /// Hits that are there and are not the one that is seen.
@@ -105,6 +106,55 @@ fn of_wrong_times(case: Case, guesses: &mut Vec<Guess>) {
             }
         }
     }
+}
+
+/// The hit that would be the first one on the ray if every primitive had been asked with the same mistake.
+fn of_first_hits(case: Case, guesses: &mut Vec<Guess>) {
+    let objects = case.ours.of(case.check.ray).filter(|event| matches!(event.what, What::Object { .. }));
+    let asked: Vec<Asked> = objects.map(|object| asked(case, object.id)).collect();
+    let mut mistakes: Vec<(&'static Cause, usize)> = Vec::new();
+    for (cause, number, _) in asked.iter().flat_map(|asked| &asked.wrong) {
+        if !mistakes.iter().any(|(known, other)| known == cause && other == number) {
+            mistakes.push((cause, *number));
+        }
+    }
+    let first = |times: &[f64]| times.iter().copied().filter(|&t| t > case.check.allowed).fold(f64::INFINITY, f64::min);
+    for (cause, number) in mistakes {
+        let of = |asked: &Asked| {
+            let wrong = asked.wrong.iter().find(|(other, place, _)| *other == cause && *place == number);
+            first(wrong.map_or(&asked.right, |(_, _, times)| times))
+        };
+        let seen = asked.iter().map(of).fold(f64::INFINITY, f64::min);
+        guesses.push(Guess::new(cause, "with that, the first hit on the ray is at t", [seen]));
+    }
+}
+
+/// The hit times of an object, as they are and as mistakes give them; the number tells apart the ways to make one mistake.
+struct Asked {
+    right: Vec<f64>,
+    wrong: Vec<(&'static Cause, usize, Vec<f64>)>,
+}
+
+fn asked(case: Case, object: EventId) -> Asked {
+    let flat = |spans: Vec<[f64; 2]>| spans.into_iter().flatten().filter(|t| t.is_finite()).collect::<Vec<_>>();
+    let (right, wrong) = match (case.ours.combined(object), case.ours.primitives(object).next()) {
+        (Some(node), _) => {
+            let wrong = wrong_intervals(case, object).into_iter().map(|(cause, _, spans)| (cause, flat(spans)));
+            (flat(intervals(node.combined)), wrong.collect::<Vec<_>>())
+        }
+        (None, Some((primitive, _))) => {
+            let wrong = wrong_times(case, primitive.id).into_iter().map(|(cause, _, times)| (cause, times));
+            let right = case.ours.candidates(primitive.id).map(accepted).unwrap_or_default();
+            (right, wrong.filter(|(cause, _)| cause.id != "one-root").collect())
+        }
+        (None, None) => (Vec::new(), Vec::new()),
+    };
+    let mut numbered: Vec<(&'static Cause, usize, Vec<f64>)> = Vec::new();
+    for (cause, times) in wrong {
+        let number = numbered.iter().filter(|(other, ..)| *other == cause).count();
+        numbered.push((cause, number, times));
+    }
+    Asked { right, wrong: numbered }
 }
 
 /// The times of the hits that count.

@@ -4,7 +4,7 @@ use super::normal::wrong_normals;
 use super::{
     COSINE_ABSOLUTE, COSINE_NEGATIVE, Case, Cause, EXPONENT, FADES_WITH_DISTANCE, Guess, HALF_ANGLE,
     HIGHLIGHT_MIRROR_SIGN, HIGHLIGHT_TIMES_COSINE, HIGHLIGHT_VIEW_LENGTH, HIGHLIGHT_VIEW_SIGN, LIGHT_AS_DIRECTION,
-    LIGHT_BACKWARDS, LIGHT_COLOUR_IGNORED, LIGHT_NOT_NORMALISED, SHADOW_IGNORED, number, vector,
+    LIGHT_BACKWARDS, LIGHT_COLOUR_IGNORED, LIGHT_NOT_NORMALISED, SELF_HIT, SHADOW_IGNORED, number, vector,
 };
 use crate::compare::foreign::check::Subject;
 use crate::optics::reflect;
@@ -31,6 +31,8 @@ pub(super) struct Lit {
     k_d: DVec3,
     k_s: DVec3,
     exponent: f64,
+    /// What passes through the surface itself.
+    transparency: f64,
     pub diffuse: DVec3,
     pub specular: DVec3,
 }
@@ -66,6 +68,7 @@ pub(super) fn lit(case: Case, light: EventId) -> Option<Lit> {
         k_d: material.diffuse * pigment.unwrap_or(DVec3::ONE),
         k_s: material.specular,
         exponent: material.exponent,
+        transparency: material.transparency,
         diffuse: (*diffuse).into(),
         specular: (*specular).into(),
     })
@@ -120,6 +123,8 @@ pub(super) fn wrong_diffuse(case: Case, lit: &Lit) -> Vec<(&'static Cause, Strin
         (&COSINE_NEGATIVE, with("I k_d n·l"), term(lit.colour, cosine)),
         (&LIGHT_BACKWARDS, with("I k_d max(0, −n·l)"), term(lit.colour, (-cosine).max(0.0))),
     ];
+    let how = format!("the surface itself passes {} of the light: I_diff", number(lit.transparency));
+    wrong.push((&SELF_HIT, how, lit.diffuse * lit.transparency));
     let share = DVec3::from_array(std::array::from_fn(|k| ratio(lit.arriving[k], lit.colour[k])));
     wrong.push((&LIGHT_COLOUR_IGNORED, with("k_d n·l"), term(share, cosine.max(0.0))));
     if let (Some(to_light), Some(position)) = (lit.to_light, lit.position) {
@@ -170,8 +175,26 @@ pub(super) fn wrong_specular(case: Case, lit: &Lit) -> Vec<(&'static Cause, Stri
             lit.specular * n.dot(l),
         ),
     ];
+    let how = format!("the surface itself passes {} of the light: I_spec", number(lit.transparency));
+    wrong.push((&SELF_HIT, how, lit.specular * lit.transparency));
     let share = DVec3::from_array(std::array::from_fn(|k| ratio(lit.arriving[k], lit.colour[k])));
     wrong.push((&LIGHT_COLOUR_IGNORED, "k_s (r·v)^f".to_owned(), shiny(share, r.dot(v))));
+    of_strength(lit, r, &mut wrong);
+    let is_diffuse_right = case.agrees(case.check.ray, |subject| matches!(subject, Subject::Diffuse(_)));
+    for (cause, how, normal) in wrong_normals(case, case.check.ray).into_iter().filter(|_| !is_diffuse_right) {
+        let is_lit = normal.dot(l) > 0.0;
+        let cosine = reflect(-l, normal).dot(v);
+        let value = if is_lit { shiny(lit.colour, cosine) } else { DVec3::ZERO };
+        wrong.push((cause, format!("{how}: I k_s (r·v)^f"), value));
+    }
+    wrong
+}
+
+/// Highlights of another exponent, and of a light whose direction or strength is not what it should be; `r` is the mirrored
+/// direction of the light.
+fn of_strength(lit: &Lit, r: DVec3, wrong: &mut Vec<(&'static Cause, String, DVec3)>) {
+    let Lit { v, exponent, .. } = *lit;
+    let shiny = |light: DVec3, cosine: f64| light * lit.k_s * cosine.max(0.0).powf(exponent);
     for factor in [0.25, 0.5, 2.0, 4.0] {
         let value = lit.arriving * lit.k_s * r.dot(v).max(0.0).powf(exponent * factor);
         wrong.push((
@@ -186,14 +209,6 @@ pub(super) fn wrong_specular(case: Case, lit: &Lit) -> Vec<(&'static Cause, Stri
         wrong.push((&LIGHT_NOT_NORMALISED, how, shiny(lit.arriving, r.dot(v) * length)));
         wrong.push((&FADES_WITH_DISTANCE, "I k_s (r·v)^f / |L|²".to_owned(), lit.specular / (length * length)));
     }
-    let is_diffuse_right = case.agrees(case.check.ray, |subject| matches!(subject, Subject::Diffuse(_)));
-    for (cause, how, normal) in wrong_normals(case, case.check.ray).into_iter().filter(|_| !is_diffuse_right) {
-        let is_lit = normal.dot(l) > 0.0;
-        let cosine = reflect(-l, normal).dot(v);
-        let value = if is_lit { shiny(lit.colour, cosine) } else { DVec3::ZERO };
-        wrong.push((cause, format!("{how}: I k_s (r·v)^f"), value));
-    }
-    wrong
 }
 
 /// The exponent that would give their highlight, if one gives it in all three colours.

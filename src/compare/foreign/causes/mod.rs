@@ -129,6 +129,9 @@ causes! {
     STOPPED_BY_LIMIT "limit" "our tree ends here at a limit of the scene",
 }
 
+/// Within this part of what is allowed, which cause is the closer one is chance.
+pub(super) const CLOSE: f64 = 0.1;
+
 /// What a mistake would give.
 pub(super) struct Guess {
     pub cause: &'static Cause,
@@ -213,11 +216,7 @@ fn tried(check: &Check, guess: Guess) -> Option<Explanation> {
 /// The closest first, each cause once. What is equally close is told by the order of the table.
 fn ranked(mut explanations: Vec<Explanation>) -> Vec<Explanation> {
     let place = |cause: &Cause| CAUSES.iter().position(|other| other.id == cause.id);
-    // Within a tenth of what is allowed, closeness is chance.
-    let closeness = |misfit: f64| if misfit <= 0.1 { 0 } else { 1 };
-    explanations.sort_by(|a, b| {
-        closeness(a.misfit).cmp(&closeness(b.misfit)).then_with(|| place(a.cause).cmp(&place(b.cause)))
-    });
+    explanations.sort_by_key(|explanation| (explanation.misfit > CLOSE, place(explanation.cause)));
     let mut distinct: Vec<Explanation> = Vec::new();
     for explanation in explanations {
         if !distinct.iter().any(|known| known.cause == explanation.cause) {

@@ -6,6 +6,7 @@ use super::{
 };
 use crate::compare::foreign::check::Subject;
 use crate::compare::foreign::ours::OurHit;
+use crate::csg::Placement;
 use crate::shape::{Part, Primitive};
 use glam::DVec3;
 
@@ -70,8 +71,6 @@ fn of_transform(
     let Some(leaf) = case.ours.leaf(hit.object, hit.leaf) else { return };
     let Some(part) = leaf.parts.iter().position(|part| part == hit.part) else { return };
     let normal_of = |part: usize| leaf.shape.normal(hit.generic_point, Part::try_from(part).unwrap_or(0));
-    let generic = normal_of(part);
-    let (matrix, inverse) = (leaf.placement.world_from_generic(), leaf.placement.generic_from_world());
     let direction = case.ours.rays[ray].direction;
     let ours = if is_outward { hit.n_geometric } else { hit.n_shading };
     // On the side of the ray, out of the solid, or as it comes: whichever a program does after its mistake.
@@ -81,30 +80,28 @@ fn of_transform(
         let beside = if n.dot(ours) < 0.0 { -n } else { n };
         [facing, beside, n]
     };
-    let g = vector(generic);
-    let symbol = matrix.matrix3;
-    for (cause, how, n) in [
-        (&NORMAL_GENERIC, format!("n in generic coordinates {g}"), generic),
-        (&NORMAL_BY_MATRIX, format!("M n / |M n| with n = {g}"), symbol * generic),
-        (&NORMAL_BY_INVERSE, format!("M⁻¹ n / |M⁻¹ n| with n = {g}"), inverse.matrix3 * generic),
-        (&NORMAL_BY_INVERSE, format!("Mᵀ n / |Mᵀ n| with n = {g}"), symbol.transpose() * generic),
-        (&NORMAL_TRANSLATED, format!("M n as a point, n = {g}"), matrix.transform_point3(generic)),
-        (&NORMAL_RADIAL, "(P − middle) / |P − middle|".to_owned(), hit.point - matrix.translation),
-        (
-            &NORMAL_RADIAL,
-            format!("M⁻ᵀ p with p = {}", vector(hit.generic_point)),
-            inverse.matrix3.transpose() * hit.generic_point,
-        ),
-        (
-            &NORMAL_RADIAL,
-            "M⁻ᵀ (p_x, p_y, 0)".to_owned(),
-            inverse.matrix3.transpose() * hit.generic_point.truncate().extend(0.0),
-        ),
-    ] {
+    for (cause, how, n) in mapped(&leaf.placement, normal_of(part), hit) {
         wrong.extend(sides(n).map(|n| (cause, how.clone(), n)));
     }
+    let transposed = leaf.placement.generic_from_world().matrix3.transpose();
     for (other, name) in leaf.parts.iter().enumerate().filter(|(other, _)| *other != part) {
-        let n = inverse.matrix3.transpose() * normal_of(other);
-        wrong.extend(sides(n).map(|n| (&NORMAL_OTHER_PART, format!("n of {name}"), n)));
+        wrong.extend(sides(transposed * normal_of(other)).map(|n| (&NORMAL_OTHER_PART, format!("n of {name}"), n)));
     }
+}
+
+/// What comes out where a generic normal is not taken to the world by the inverse transpose.
+fn mapped(placement: &Placement, generic: DVec3, hit: &OurHit) -> [(&'static Cause, String, DVec3); 8] {
+    let (world, inverse) = (placement.world_from_generic(), placement.generic_from_world().matrix3);
+    let (matrix, transposed) = (world.matrix3, inverse.transpose());
+    let (n, p) = (vector(generic), vector(hit.generic_point));
+    [
+        (&NORMAL_GENERIC, format!("n in generic coordinates {n}"), generic),
+        (&NORMAL_BY_MATRIX, format!("M n / |M n| with n = {n}"), matrix * generic),
+        (&NORMAL_BY_INVERSE, format!("M⁻¹ n / |M⁻¹ n| with n = {n}"), inverse * generic),
+        (&NORMAL_BY_INVERSE, format!("Mᵀ n / |Mᵀ n| with n = {n}"), matrix.transpose() * generic),
+        (&NORMAL_TRANSLATED, format!("M n as a point, n = {n}"), world.transform_point3(generic)),
+        (&NORMAL_RADIAL, "(P − middle) / |P − middle|".to_owned(), hit.point - world.translation),
+        (&NORMAL_RADIAL, format!("M⁻ᵀ p with p = {p}"), transposed * hit.generic_point),
+        (&NORMAL_RADIAL, "M⁻ᵀ (p_x, p_y, 0)".to_owned(), transposed * hit.generic_point.truncate().extend(0.0)),
+    ]
 }

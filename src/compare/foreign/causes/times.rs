@@ -6,6 +6,7 @@ use super::{
     OPERANDS_SWAPPED, QUADRATIC_HALF_B, QUADRATIC_SIGN_B, QUADRATIC_UNIT_A, RIGHT_OPERAND_IGNORED, WALL_UNBOUNDED,
     WRONG_OPERATOR, list, number,
 };
+use crate::compare::foreign::check::Subject;
 use crate::compare::foreign::search::intervals;
 use crate::csg::{Leaf, Placement, Solid};
 use crate::record::{Candidate, CandidateFate, EventId, NullRecorder, Operator, Span, What};
@@ -26,7 +27,8 @@ pub(super) fn wrong_times(case: Case, primitive: EventId) -> Vec<Times> {
     let candidates = case.ours.candidates(primitive).map(|(_, candidates)| candidates).unwrap_or_default();
     let accepted: Vec<f64> = candidates.iter().filter(|c| is_accepted(c)).map(|c| c.t).collect();
     let mut times = Vec::new();
-    if let Some((_, _, c)) = case.ours.transform(primitive) {
+    let is_mapped = case.agrees(case.check.ray, |subject| subject == Subject::GenericDirection(primitive));
+    if let Some((_, _, c)) = case.ours.transform(primitive).filter(|_| !is_mapped) {
         for unit in case.units() {
             let how = format!("t |c| for t = {} and |c| = {}", list(&accepted), number(c.length() * unit));
             times.push((&DIRECTION_NORMALISED, how, accepted.iter().map(|t| t * c.length() * unit).collect()));
@@ -38,7 +40,7 @@ pub(super) fn wrong_times(case: Case, primitive: EventId) -> Vec<Times> {
         times.push((&ONE_ROOT, "the first of the roots".to_owned(), vec![first]));
         times.push((&ONE_ROOT, "the last of the roots".to_owned(), vec![last]));
     }
-    if let Some(leaf) = leaf(case, primitive) {
+    if let Some(leaf) = leaf(case, primitive).filter(|_| !is_mapped) {
         of_placement(case, leaf, &mut times);
     }
     times
@@ -142,9 +144,9 @@ pub fn of_inside(case: Case, object: EventId, guesses: &mut Vec<Guess>) {
     }
 }
 
-type Intervals = (&'static Cause, String, Vec<[f64; 2]>);
+pub(super) type Intervals = (&'static Cause, String, Vec<[f64; 2]>);
 
-fn wrong_intervals(case: Case, object: EventId) -> Vec<Intervals> {
+pub(super) fn wrong_intervals(case: Case, object: EventId) -> Vec<Intervals> {
     let Some(node) = case.ours.combined(object) else { return Vec::new() };
     let (left, right) = (intervals(node.left), intervals(node.right));
     let mut wrong: Vec<Intervals> = Vec::new();

@@ -1,6 +1,6 @@
 //! Two axes, and the projection of directions in space.
 
-use super::sheet::{SMALL, Sheet};
+use super::{SMALL, Sheet};
 use crate::record::Triple;
 use crate::view::axis::Axis;
 use crate::view::fonts::text_width;
@@ -8,7 +8,7 @@ use crate::view::text::brief;
 use crate::view::{Anchor, Face, Form, Frame, Spot, Stroke};
 
 /// Maps pairs of numbers into a frame.
-pub(super) struct Chart {
+pub(in crate::view) struct Chart {
     pub frame: Frame,
     pub x: Axis,
     pub y: Axis,
@@ -57,7 +57,7 @@ impl Chart {
 }
 
 /// The part of `room` that has numbers and names around it.
-pub(super) fn within_axes(room: Frame) -> Frame {
+pub(in crate::view) fn within_axes(room: Frame) -> Frame {
     Frame { low: [room.low[0] + 34.0, room.low[1] + 16.0], high: [room.high[0] - 4.0, room.high[1] - 22.0] }
 }
 
@@ -118,7 +118,7 @@ impl Sheet {
 }
 
 /// Looks at space along parallel lines, from the front, a little from the left and from above, z upwards.
-pub(super) struct Oblique {
+pub(in crate::view) struct Oblique {
     /// The place of the origin.
     pub centre: Spot,
     /// Points for a unit.
@@ -139,7 +139,7 @@ impl Oblique {
 }
 
 /// The corners of the smallest box around all places that are numbers.
-pub(super) fn bounds(points: impl IntoIterator<Item = Spot>) -> Option<[Spot; 2]> {
+pub(in crate::view) fn bounds(points: impl IntoIterator<Item = Spot>) -> Option<[Spot; 2]> {
     let finite = points.into_iter().filter(|point| point.iter().all(|x| x.is_finite()));
     finite.fold(None, |known, point| {
         let [low, high] = known.unwrap_or([point, point]);

@@ -1,6 +1,12 @@
-//! What the drawings of textures share: a caption, a column of facts, and marks that stay within a frame.
+//! What drawings of single events share: a caption, a column of facts, marks that stay within a frame, and the words that
+//! tell all of it to whoever does not see it.
 
-use super::clip::{clipped_line, clipped_ring};
+mod chart;
+mod clip;
+
+pub(super) use chart::{Chart, Oblique, bounds, within_axes};
+use clip::{clipped_line, clipped_ring};
+
 use crate::record::EventId;
 use crate::view::fonts::text_width;
 use crate::view::labels::{Label, Placer, shortened, wrapped};
@@ -64,6 +70,8 @@ impl Sheet {
     pub fn caption(&mut self, title: &str, note: &str) -> Frame {
         let width = self.drawing.width - 2.0 * MARGIN;
         let mut y = MARGIN + 0.5 * TITLE;
+        self.tell(title);
+        self.tell(note);
         let title = Label::new(shortened(title, width, TITLE, Face::Bold), TITLE, self.palette.ink).face(Face::Bold);
         self.placer.put_at(&mut self.drawing, title.at([MARGIN, y], Anchor::Start, None), Some(self.event));
         for line in wrapped(note, width, TEXT, Face::Sans) {
@@ -73,11 +81,29 @@ impl Sheet {
         Frame { low: [MARGIN, y + LINE], high: [self.drawing.width - MARGIN, self.drawing.height - MARGIN] }
     }
 
+    /// Adds a sentence to what is told to whoever does not see the drawing.
+    pub fn tell(&mut self, sentence: &str) {
+        let (told, sentence) = (&mut self.drawing.description, sentence.trim());
+        if sentence.is_empty() {
+            return;
+        }
+        if !told.is_empty() {
+            told.push(' ');
+        }
+        told.push_str(sentence);
+        if !sentence.ends_with(['.', '!', '?', ':', '…']) {
+            told.push('.');
+        }
+    }
+
     /// Puts facts in a column at the right of `room` where there is room for one; returns what is left beside the
     /// column, and what is left of the column below the facts.
     pub fn facts(&mut self, room: Frame, facts: &[Fact]) -> (Frame, Option<Frame>) {
         /// A narrower column would cut most facts off; beside a narrower drawing nothing could be told.
         const NARROWEST: [f64; 2] = [110.0, 170.0];
+        for fact in facts {
+            self.tell(fact.text());
+        }
         let wanted =
             facts.iter().map(|fact| fact.indent() + text_width(fact.text(), TEXT, Face::Sans)).fold(0.0, f64::max);
         let width = wanted.min(0.4 * room.size()[0]);

@@ -1,13 +1,20 @@
 //! d(t) along the ray: where it is positive (outside), zero (on the surface) and negative (inside).
 
+mod probe;
+#[cfg(test)]
+mod tests;
+
 use super::axis::{Axis, round_step};
 use super::drawing::{Anchor, Drawing, Form, Frame, Spot, Stroke};
+use super::events_of::Story;
 use super::fonts::Face;
 use super::labels::{Label, Placer, shortened};
 use super::palette::{Colour, Palette, Theme};
 use super::text::brief;
 use crate::record::{EventId, Sign, SignSpan, What};
+use crate::scene::Scene;
 use crate::trace::RayTree;
+pub use probe::{ProbedSigns, SignPlotLayout, SignProbe};
 
 /// Sizes in points.
 const TEXT: f64 = 11.5;
@@ -19,6 +26,35 @@ const STRIP: f64 = 13.0;
 /// event above it that has one and is part of the same object.
 #[must_use]
 pub fn sign_plot(tree: &RayTree, selected: EventId, size: [f64; 2], theme: Theme) -> Option<Drawing> {
+    drawn(tree, selected, None, size, theme).map(|plot| plot.drawing)
+}
+
+/// The same, for a hit that of the primitive that was hit, with a time that can be dragged along the ray: the point there, d, and
+/// whether that is inside. The time is brought
+/// to the nearest one that the plot shows. F is the shape's own, at the point that the recorded S and c give.
+#[must_use]
+pub fn probed_sign_plot(
+    scene: &Scene,
+    tree: &RayTree,
+    selected: EventId,
+    probe_t: Option<f64>,
+    size: [f64; 2],
+    theme: Theme,
+) -> Option<ProbedSigns> {
+    let of_hit = || Story::of(tree, selected)?.primitive_near(selected);
+    let selected = if implicit_near(tree, selected).is_some() { selected } else { of_hit()? };
+    let plot = drawn(tree, selected, probe_t.map(|t| (scene, t)), size, theme)?;
+    let layout = SignPlotLayout { t: plot.t.values, x: plot.t.points, y: [MARGIN + 30.0, plot.d.points[0] + STRIP] };
+    Some(ProbedSigns { drawing: plot.drawing, layout, probe: plot.probe })
+}
+
+fn drawn(
+    tree: &RayTree,
+    selected: EventId,
+    probe: Option<(&Scene, f64)>,
+    size: [f64; 2],
+    theme: Theme,
+) -> Option<Plot> {
     let event = implicit_near(tree, selected)?;
     let What::Implicit { equation, samples, roots, signs } = &tree.event(event).what else { return None };
     let samples: Vec<Spot> = samples.iter().copied().filter(|[t, d]| t.is_finite() && d.is_finite()).collect();
@@ -38,15 +74,19 @@ pub fn sign_plot(tree: &RayTree, selected: EventId, size: [f64; 2], theme: Theme
         palette,
         event,
         compression,
+        probe: probe.and_then(|(scene, t)| SignProbe::of(scene, tree, event, t.clamp(*first, *last))),
     };
     plot.caption(equation);
     plot.grid();
+    plot.extent(probe::extent_of(tree, event));
     plot.curve(&with_roots(&samples, roots));
     plot.strip(signs);
+    plot.probe();
     plot.roots(roots);
     plot.start();
     plot.values();
-    Some(plot.drawing)
+    plot.drawing.description = plot.description(equation, roots, signs);
+    Some(plot)
 }
 
 fn implicit_near(tree: &RayTree, selected: EventId) -> Option<EventId> {
@@ -128,6 +168,7 @@ struct Plot {
     d: Axis,
     compression: Compression,
     event: EventId,
+    probe: Option<SignProbe>,
 }
 
 impl Plot {
@@ -151,6 +192,7 @@ impl Plot {
             Some(unit) => format!("d, compressed: asinh(d / {})", brief(unit)),
             None => "d".to_owned(),
         };
+        self.read_out();
         let label = Label::new(name, SMALL, self.palette.faint);
         self.placer.put_at(&mut self.drawing, label.at([MARGIN, MARGIN + 20.0], Anchor::Start, None), None);
     }

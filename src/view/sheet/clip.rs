@@ -4,7 +4,7 @@ use crate::view::labels::clip;
 use crate::view::{Frame, Spot};
 
 /// The pieces of a line from point to point that lie within a frame. Places that are no numbers are left out.
-pub(super) fn clipped_line(within: &Frame, points: &[Spot]) -> Vec<Vec<Spot>> {
+pub(in crate::view) fn clipped_line(within: &Frame, points: &[Spot]) -> Vec<Vec<Spot>> {
     let mut pieces: Vec<Vec<Spot>> = Vec::new();
     for ends in points.windows(2) {
         let Some([from, to]) = finite(ends).and_then(|()| clip(within, [ends[0], ends[1]])) else { continue };
@@ -21,7 +21,7 @@ fn finite(points: &[Spot]) -> Option<()> {
 }
 
 /// The part of a ring within a frame, side after side (Sutherland and Hodgman, 1974).
-pub(super) fn clipped_ring(within: &Frame, ring: &[Spot]) -> Vec<Spot> {
+pub(in crate::view) fn clipped_ring(within: &Frame, ring: &[Spot]) -> Vec<Spot> {
     if finite(ring).is_none() {
         return Vec::new();
     }

@@ -1,0 +1,102 @@
+//! Tests of the lines in space: they lie on the surfaces, are cut where a solid ends, and show its edges.
+
+use super::*;
+use crate::csg::Placement;
+use crate::record::Operator;
+use crate::scene::{embedded_scenes, load};
+use crate::shape::{Cube, Sphere};
+use glam::DAffine3;
+
+fn leaf(shape: Shape, placement: DAffine3) -> Solid {
+    Solid::leaf(Leaf::new("it", shape, Placement::new(placement).unwrap()))
+}
+
+fn ball(x: f64) -> Solid {
+    leaf(Shape::Sphere(Sphere::new().unwrap()), DAffine3::from_translation(DVec3::X * x))
+}
+
+fn points(lines: &[WireLine], is_crease: bool) -> Vec<DVec3> {
+    lines.iter().filter(|line| line.is_crease == is_crease).flat_map(|line| line.points.clone()).collect()
+}
+
+#[test]
+fn two_balls_meet_in_the_circle_that_geometry_gives_them() {
+    // Unit balls about x = ±0.6 meet where x = 0, on a circle of radius 0.8.
+    for operator in [Operator::Union, Operator::Intersection, Operator::Difference] {
+        let lines = solid_lines(0, &Solid::pair("both", operator, ball(-0.6), ball(0.6)), 1_000);
+        let edge = points(&lines, true);
+        assert!(edge.len() > 40, "{operator:?}: {} points", edge.len());
+        for point in &edge {
+            assert!(point.x.abs() < 1e-6 && (point.y.hypot(point.z) - 0.8).abs() < 1e-6, "{operator:?}: {point}");
+        }
+        // All the way round: no stretch of the circle is longer than a twelfth of it.
+        let mut angles: Vec<f64> = edge.iter().map(|point| point.z.atan2(point.y)).collect();
+        angles.sort_by(f64::total_cmp);
+        let gaps = angles.windows(2).map(|pair| pair[1] - pair[0]);
+        assert!(gaps.fold(0.0, f64::max) < std::f64::consts::TAU / 12.0, "{operator:?}");
+    }
+}
+
+#[test]
+fn lines_within_another_part_are_cut_off() {
+    let lines = solid_lines(0, &Solid::pair("both", Operator::Union, ball(-0.6), ball(0.6)), 1_000);
+    for point in points(&lines, false) {
+        let [left, right] = [-0.6, 0.6].map(|x| point.distance(DVec3::X * x));
+        assert!((left.min(right) - 1.0).abs() < 1e-6, "{point} lies on no ball, or within one");
+    }
+    let cut = solid_lines(0, &Solid::pair("both", Operator::Difference, ball(-0.6), ball(0.6)), 1_000);
+    for point in points(&cut, false) {
+        let [left, right] = [-0.6, 0.6].map(|x| point.distance(DVec3::X * x));
+        assert!((left - 1.0).abs().min((right - 1.0).abs()) < 1e-6, "{point}");
+        assert!(left <= 1.0 + 1e-6 && right >= 1.0 - 1e-6, "{point}");
+    }
+}
+
+#[test]
+fn normals_point_out_of_the_solid_even_where_it_is_hollowed() {
+    let hollow = leaf(Shape::Sphere(Sphere::new().unwrap()), DAffine3::from_scale(DVec3::splat(0.5)));
+    let shell = Solid::pair("shell", Operator::Difference, ball(0.0), hollow);
+    for line in solid_lines(0, &shell, 1_000) {
+        for (point, [normal, _]) in line.points.iter().zip(&line.normals) {
+            let out = if point.length() > 0.75 { 1.0 } else { -1.0 };
+            assert!(normal.dot(point.normalize()) * out > 0.99, "{point} {normal}");
+        }
+    }
+}
+
+#[test]
+fn an_edge_of_a_cube_has_the_normals_of_both_faces() {
+    let lines = solid_lines(0, &leaf(Shape::Cube(Cube::new().unwrap()), DAffine3::IDENTITY), 1_000);
+    let all: Vec<[DVec3; 2]> = lines.iter().flat_map(|line| line.normals.clone()).collect();
+    assert!(!all.is_empty());
+    for [first, second] in all {
+        assert!(first.dot(second).abs() < 0.01, "{first} {second}");
+    }
+}
+
+#[test]
+fn every_point_of_every_scene_lies_on_its_object() {
+    for embedded in embedded_scenes() {
+        // Scenes that read pictures beside them have the shapes of others.
+        let Ok(scene) = load(embedded.text, &embedded.name) else { continue };
+        let leaves: usize = scene.objects.iter().map(|object| object.solid.leaves.len()).sum();
+        // Of more leaves the boxes are shown, whose edges lie on nothing.
+        if leaves > MOST_POINTS / FEWEST_POINTS {
+            continue;
+        }
+        let wires = Wireframe::of(&scene);
+        assert!(wires.len() <= 4 * MOST_POINTS, "{}: {} points", embedded.name, wires.len());
+        for line in wires.lines.iter().filter(|line| !line.is_crease) {
+            let leaves = &scene.objects[line.object].solid.leaves;
+            for point in line.points.iter().step_by(5) {
+                // A step of 10⁻⁹ of the leaf's size across the surface changes the sign of F, or F is 0 to rounding.
+                let nearest = leaves.iter().map(|leaf| {
+                    let generic = leaf.placement.generic_point(*point);
+                    leaf.shape.implicit(generic).abs() / generic.length().max(1.0)
+                });
+                let nearest = nearest.fold(f64::INFINITY, f64::min);
+                assert!(nearest < 1e-6, "{}: F = {nearest} at {point}", embedded.name);
+            }
+        }
+    }
+}
