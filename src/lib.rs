@@ -14,6 +14,7 @@ pub mod cli;
 pub mod compare;
 pub mod cpu_time;
 pub mod csg;
+pub mod document;
 pub mod folder;
 pub mod laboratory;
 pub mod ledger;

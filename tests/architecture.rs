@@ -146,6 +146,7 @@ const CRATES: &[(&[&str], &[&str])] = &[
             "src/document/",
             "src/cli/",
             "src/app/dock/",
+            "src/app/edit/",
             "src/app/kept.rs",
             "src/app/pane.rs",
         ],

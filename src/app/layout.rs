@@ -20,10 +20,12 @@ impl Workbench {
         self.advance_story(&ctx);
         self.arrive();
         // What lies over the workbench has the keys.
-        let command = if matches!(self.help, Help::None) { command::pressed(&ctx, self) } else { None };
+        let is_free = matches!(self.help, Help::None) && !self.is_asking();
+        let command = if is_free { command::pressed(&ctx, self) } else { None };
         if let Some(command) = command {
             command.run(self, &ctx);
         }
+        self.follow_edits(&ctx);
         let whole = ui.max_rect();
         ui.painter().rect_filled(whole, 0.0, Palette::current(&ctx).window);
         let (bar, rest) = whole.split_top_bottom_at_y(whole.top() + top_bar::height(ui, self));
@@ -33,6 +35,7 @@ impl Workbench {
         self.show_help(ui);
         self.show_sharing(ui);
         self.pause_what_is_not_seen();
+        self.ask_questions(&ctx);
     }
 
     fn top_bar(&mut self, ui: &mut Ui, bar: Rect) {

@@ -9,6 +9,7 @@ mod command;
 mod compare;
 mod dock;
 mod drawings;
+mod edit;
 mod effects;
 mod frame;
 mod help;
@@ -25,7 +26,8 @@ mod window;
 mod workbench;
 
 pub use command::{
-    Command, Commands, CompareCommand, HelpCommand, SceneCommand, SearchCommand, ShareCommand, StepCommand, ViewCommand,
+    Command, Commands, CompareCommand, EditCommand, HelpCommand, SceneCommand, SearchCommand, ShareCommand,
+    StepCommand, ViewCommand,
 };
 pub use dock::{Dock, Preset};
 pub use pane::Pane;

@@ -29,6 +29,8 @@ impl Workbench {
             Pane::Compare => self.compare_pane(ui),
             Pane::Accuracy => self.accuracy_pane(ui),
             Pane::Effects => self.effects_pane(ui),
+            Pane::Editor => self.editor_pane(ui),
+            Pane::Properties => self.editing.properties_ui(ui),
             Pane::Search => self.search_pane(ui),
             Pane::Overview
             | Pane::Generic
@@ -41,16 +43,17 @@ impl Workbench {
                     self.select(event);
                 }
             }
-            Pane::Editor | Pane::Properties => {
-                empty(ui, &say(ui.ctx(), &format!("{}-about", pane.word())));
-            }
         }
     }
 
     /// The tools at the right end of a panel's header, from right to left.
     pub(in crate::app) fn pane_tools(&mut self, ui: &mut Ui, pane: Pane) {
         let state = match pane {
-            Pane::Picture => self.open.as_ref().map(|open| self.picture_state(ui.ctx(), open)),
+            Pane::Picture => {
+                self.move_switch(ui);
+                self.open.as_ref().map(|open| self.picture_state(ui.ctx(), open))
+            }
+            Pane::Editor => Some(self.editor_state(ui.ctx())),
             Pane::Side => {
                 self.side.tools(ui);
                 None
@@ -85,6 +88,7 @@ impl Workbench {
     }
 
     fn picture_pane(&mut self, ui: &mut Ui) {
+        self.picture_keys(ui.ctx());
         let Some(open) = &self.open else { return empty(ui, &say(ui.ctx(), "no-scene")) };
         let texture = self.renderer.texture(ui.ctx()).cloned();
         self.search.update(ui.ctx(), &open.scene);
@@ -95,6 +99,7 @@ impl Workbench {
         if let Some(pixel) = self.image.ui(ui, &view) {
             self.record(pixel);
         }
+        self.picture_handles(ui);
     }
 
     fn side_pane(&mut self, ui: &mut Ui) {
@@ -102,6 +107,7 @@ impl Workbench {
         if let Some(event) = self.side.ui(ui, &open.scene, self.recording.as_ref()) {
             self.select(event);
         }
+        self.section_handles(ui);
     }
 
     fn accuracy_pane(&mut self, ui: &mut Ui) {

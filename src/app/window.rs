@@ -7,18 +7,20 @@ use eframe::{CreationContext, Frame, NativeOptions, Storage};
 use egui::{Ui, ViewportBuilder};
 
 const KEPT: &str = "kept";
+/// The name that the system knows the program by.
+const NAME: &str = "rayscope";
 
 /// Opens the window and stays until it is closed.
 pub fn open(name: &str, text: String, outside: Outside, link: Option<Link>) -> Result<(), eframe::Error> {
     let viewport = ViewportBuilder::default()
         .with_title("rayscope")
-        .with_app_id("rayscope")
+        .with_app_id(NAME)
         .with_inner_size([1280.0, 800.0])
         .with_min_inner_size([960.0, 600.0])
         .with_drag_and_drop(true);
     let options = NativeOptions { viewport, ..NativeOptions::default() };
     let create = move |creation: &CreationContext| Window::new(creation, name, &text, outside, link.as_ref());
-    eframe::run_native("rayscope", options, Box::new(move |creation| Ok(Box::new(create(creation)))))
+    eframe::run_native(NAME, options, Box::new(move |creation| Ok(Box::new(create(creation)))))
 }
 
 struct Window {
@@ -30,6 +32,9 @@ impl Window {
         let mut workbench = Workbench::new(&creation.egui_ctx, name, text, outside);
         if let Some(kept) = creation.storage.and_then(|storage| storage.get_string(KEPT)) {
             workbench.take_up(&kept);
+        }
+        if let Some(folder) = eframe::storage_dir(NAME) {
+            workbench.keep_edits_in(&folder.join("recovery"));
         }
         match link {
             Some(link) => workbench.follow(&creation.egui_ctx, link),

@@ -7,6 +7,8 @@ use crate::app::dock::Dock;
 use crate::app::drawings::all::Drawings;
 use crate::app::drawings::plots::PlotsPanel;
 use crate::app::drawings::side::SidePanel;
+use crate::app::edit::dialog::Then;
+use crate::app::edit::editing::Editing;
 use crate::app::effects::pane::EffectsPane;
 use crate::app::frame::file_dialog::FileDialog;
 use crate::app::frame::scene_menu::SceneMenu;
@@ -87,10 +89,11 @@ pub struct Workbench {
     pub(in crate::app) compare: ComparePane,
     pub(in crate::app) dock: Dock,
     pub(in crate::app) settings: Settings,
+    pub(in crate::app) editing: Editing,
+    pub(in crate::app) outside: Outside,
     pub(in crate::app) help: Help,
     pub(in crate::app) sharing: Sharing,
     ctx: Context,
-    outside: Outside,
 }
 
 impl Workbench {
@@ -117,10 +120,11 @@ impl Workbench {
             compare: ComparePane::default(),
             dock: Dock::default(),
             settings: Settings::default(),
+            editing: Editing::default(),
             help: Help::default(),
             sharing: Sharing::default(),
-            ctx: ctx.clone(),
             outside,
+            ctx: ctx.clone(),
         };
         workbench.open_text(ctx, name, text);
         if workbench.open.is_none() {
@@ -133,8 +137,12 @@ impl Workbench {
         workbench
     }
 
-    /// Opens a file, or the embedded scene of that name. If it has errors, they are shown and the old scene stays.
+    /// Opens a file, or the embedded scene of that name. If it has errors, they are shown and the old scene stays; if there are
+    /// unsaved changes, it is asked first.
     pub fn open_scene(&mut self, ctx: &Context, name: &str) {
+        if !self.may_give_up(|| Then::Open(name.to_owned())) {
+            return;
+        }
         let path = Path::new(name);
         if let Some(embedded) = embedded_scene(name).filter(|_| !path.is_file()) {
             self.open_text(ctx, name, embedded.text);
@@ -146,8 +154,16 @@ impl Workbench {
         }
     }
 
-    /// Opens the text of a scene file. If it has errors, they are shown and the old scene stays.
+    /// Opens the text of a scene file. If it has errors, they are shown and the old scene stays; if there are unsaved changes, it is
+    /// asked first.
     pub fn open_text(&mut self, ctx: &Context, name: &str, text: &str) {
+        if self.may_give_up(|| Then::OpenText(name.to_owned(), text.to_owned())) {
+            self.open_unguarded(ctx, name, text);
+        }
+    }
+
+    /// Opens the text of a scene file whatever becomes of the one that is open.
+    pub(in crate::app) fn open_unguarded(&mut self, ctx: &Context, name: &str, text: &str) {
         let scene = match load_with(text, name, files_of_scene(name, self.outside).as_ref()) {
             Ok(scene) => Arc::new(scene),
             Err(diagnostics) => {
@@ -165,10 +181,11 @@ impl Workbench {
         self.accuracy.reset();
         let whole = Arc::clone(&scene);
         self.open = Some(OpenScene { name: name.to_owned(), scene, whole, look: None });
+        self.editing.open(name, text);
         self.record(pixel);
     }
 
-    fn refuse(&mut self, name: &str, text: String) {
+    pub(in crate::app) fn refuse(&mut self, name: &str, text: String) {
         self.problem = Some(Problem { name: name.to_owned(), text });
     }
 

@@ -5,10 +5,10 @@ use super::term::{Names, Term, Test};
 use crate::record::{Certificate, Operator, RayKind, Sense, What};
 use crate::shape::Shape;
 
-/// Whether one of a field's names passes the test.
-type OfName<'a> = &'a mut dyn FnMut(&str) -> bool;
-/// Whether one of a field's numbers passes the test.
-type OfNumber<'a> = &'a mut dyn FnMut(f64) -> bool;
+/// A test of a field's names.
+pub(super) type OfName<'a> = &'a mut dyn FnMut(&str) -> bool;
+/// A test of a field's numbers.
+pub(super) type OfNumber<'a> = &'a mut dyn FnMut(f64) -> bool;
 
 /// A field with numbers as values.
 pub(super) type Numbers = fn(&View, OfNumber) -> bool;
@@ -269,9 +269,11 @@ fn certificate(view: &View, test: OfName) -> bool {
 
 fn reason(view: &View, test: OfName) -> bool {
     match view.what() {
-        What::Rejected { reason, .. } | What::Shadow { reason, .. } => test(reason),
+        What::Rejected { reason, .. }
+        | What::Shadow { reason, .. }
+        | What::Combine { early_out: Some(reason), .. }
+        | What::Planes { stopped: Some(reason), .. } => test(reason),
         What::Roots { candidates } => candidates.iter().any(|candidate| test(&candidate.reason)),
-        What::Combine { early_out: Some(reason), .. } | What::Planes { stopped: Some(reason), .. } => test(reason),
         What::Limit { consequence, .. } => test(consequence),
         What::Medium { decided, .. } => test(decided),
         What::Average(average) => test(&average.stopped),

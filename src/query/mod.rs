@@ -65,6 +65,7 @@ impl Query {
     }
 
     /// The events of which it holds, in the order in which they happened.
+    #[must_use]
     pub fn matches<'a>(&'a self, tree: &'a RayTree) -> Matches<'a> {
         Matches::new(&self.expression, tree)
     }

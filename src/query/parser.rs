@@ -173,9 +173,8 @@ impl Parser<'_> {
 
     fn value(&self, field: &'static Term) -> Result<Value, QueryError> {
         let expected = || self.error_here(format!("expected {}, as in {}", field.expects(), field.example));
-        let text = match self.peek().map(|token| &token.kind) {
-            Some(TokenKind::Plain(text) | TokenKind::Quoted(text)) => text,
-            _ => return Err(expected()),
+        let Some(TokenKind::Plain(text) | TokenKind::Quoted(text)) = self.peek().map(|token| &token.kind) else {
+            return Err(expected());
         };
         let Test::Names(_, names) = field.test else {
             return number(text).map(Value::Number).ok_or_else(expected);

@@ -1,6 +1,7 @@
 //! The words of the language, as one list: the parser, the completion, the help and the tests come from it.
 
 use super::context::View;
+use super::fields::{OfName, OfNumber};
 use super::vocabulary::Vocabulary;
 use super::{fields, words};
 
@@ -35,9 +36,9 @@ pub(super) enum Test {
     /// Whether it holds.
     Word(fn(&View) -> bool),
     /// Whether one of the names passes.
-    Names(fn(&View, &mut dyn FnMut(&str) -> bool) -> bool, Names),
+    Names(fn(&View, OfName) -> bool, Names),
     /// Whether one of the numbers passes.
-    Numbers(fn(&View, &mut dyn FnMut(f64) -> bool) -> bool),
+    Numbers(fn(&View, OfNumber) -> bool),
     /// What is in the parentheses holds of the event or of one below it.
     Group,
 }

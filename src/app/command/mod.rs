@@ -4,6 +4,7 @@
 //! from [`Command::all`], so that none of them can lack one.
 
 mod compare;
+mod edit;
 mod help;
 mod scene;
 mod search;
@@ -12,6 +13,7 @@ mod step;
 mod view;
 
 pub use compare::CompareCommand;
+pub use edit::EditCommand;
 pub use help::HelpCommand;
 pub use scene::SceneCommand;
 pub use search::SearchCommand;
@@ -101,6 +103,7 @@ macro_rules! areas {
 
 areas! {
     Scene(SceneCommand) = "menu-scene",
+    Edit(EditCommand) = "menu-edit",
     Step(StepCommand) = "menu-step",
     Search(SearchCommand) = "menu-search",
     Compare(CompareCommand) = "menu-compare",

@@ -153,7 +153,10 @@ impl ComparePane {
                 if self.page == Page::Stories {
                     return self.stories_ui(ui, &here, &pin);
                 }
-                self.pictures.ui(ui, &here, &pin);
+                // While the pinned story is looked at, its picture is still compared with the one that was.
+                let shown = self.stories.shown().filter(|shown| shown.right.is(&pin.tree) && pin.is(&here.tree));
+                let left = shown.map_or(here, |shown| shown.left.clone());
+                self.pictures.ui(ui, &left, &pin);
                 None
             }
         }

@@ -51,7 +51,7 @@ pub struct StoriesJob {
 }
 
 impl StoriesJob {
-    /// The comparison of these two; the one before it while it is worked out.
+    /// The comparison of these two; none while it is worked out, for another one's figures would be taken for its own.
     pub fn update(&mut self, ctx: &Context, left: &Pin, right: &Pin) -> Option<&Arc<Stories>> {
         if let Some((_, _, job)) = &self.running {
             let news = job.take();
@@ -69,6 +69,7 @@ impl StoriesJob {
             let (a, b) = (left.clone(), right.clone());
             let job = Background::start(ctx, "compare", move |_, publish| publish(Arc::new(Stories::new(a, b))));
             self.running = job.map(|job| (left.clone(), right.clone(), job));
+            self.shown = None;
         }
         self.shown.as_ref()
     }

@@ -55,8 +55,8 @@ impl Preset {
         let root = match self {
             Self::Learn => {
                 let left = plan.below(0.5, &[Picture], &[Side, Overview, Search]);
-                let right = plan.below(0.48, &[Detail], &[Along]);
-                let middle = plan.tabs(&[Story]);
+                let right = plan.below(0.48, &[Detail, Properties], &[Along]);
+                let middle = plan.tabs(&[Story, Editor]);
                 let reading = plan.split(LinearDir::Horizontal, 0.52, middle, right);
                 plan.split(LinearDir::Horizontal, 0.35, left, reading)
             }

@@ -8,7 +8,7 @@ use crate::app::story::recording::Recording;
 use crate::record::EventId;
 use crate::scene::Scene;
 use crate::trace::RayTree;
-use crate::view::{Drawing, SectionPlane, SideViewOptions, Theme, side_view};
+use crate::view::{Drawing, PlaneView, SectionPlane, SideViewOptions, Theme, side_view, side_view_plane};
 use egui::{Color32, CursorIcon, Pos2, Rect, Response, Role, Sense, Ui, Vec2, WidgetInfo, pos2, vec2};
 use std::sync::Arc;
 
@@ -34,6 +34,8 @@ pub struct SidePanel {
     plane: SectionPlane,
     sight: Sight,
     canvas: Canvas<Key>,
+    /// Where the drawing lies on screen, and what it is of.
+    seen: Option<(Rect, Key)>,
 }
 
 /// Everything that the drawing depends on.
@@ -59,22 +61,25 @@ impl PartialEq for Key {
 }
 
 impl Key {
-    fn draw(&self) -> Drawing {
-        let options = SideViewOptions {
+    fn options(&self) -> SideViewOptions {
+        SideViewOptions {
             size: self.size.map(f64::from),
             theme: self.theme,
             plane: self.plane,
             zoom: self.sight.zoom,
             pan: self.sight.pan,
             probe_t: self.probe_t,
-        };
-        side_view(&self.scene, &self.tree, self.step, &options)
+        }
+    }
+
+    fn draw(&self) -> Drawing {
+        side_view(&self.scene, &self.tree, self.step, &self.options())
     }
 }
 
 impl Default for SidePanel {
     fn default() -> Self {
-        Self { plane: SectionPlane::RayAndUp, sight: Sight::WHOLE, canvas: Canvas::default() }
+        Self { plane: SectionPlane::RayAndUp, sight: Sight::WHOLE, canvas: Canvas::default(), seen: None }
     }
 }
 
@@ -82,6 +87,13 @@ impl SidePanel {
     /// Shows the whole scene again.
     pub fn fit(&mut self) {
         self.sight = Sight::WHOLE;
+    }
+
+    /// Where the drawing lies on screen, and which places of the world are where in it; none before it was shown.
+    #[must_use]
+    pub fn plane(&self) -> Option<(Rect, PlaneView)> {
+        let (rect, key) = self.seen.as_ref()?;
+        Some((*rect, side_view_plane(&key.scene, &key.tree, key.step, &key.options())))
     }
 
     /// The choice of the plane and the zoom, for the panel's header (right to left).
@@ -118,6 +130,7 @@ impl SidePanel {
         let response = response.on_hover_and_drag_cursor(CursorIcon::Grab);
         self.pan_and_zoom(ui, &response, rect);
         let key = self.key(ui, scene, recording, rect);
+        self.seen = Some((rect, key.clone()));
         let wanted = key.clone();
         let shown = self.canvas.update(ui.ctx(), &key, move || Some(wanted.draw()))?;
         if let Some(drawing) = &shown.drawing {

@@ -2,14 +2,15 @@
 
 use crate::app::frame::theme::Palette;
 use crate::app::frame::words::{say, say_with};
-use crate::app::picture::overlay::{draw_crosshair, draw_hits};
+use crate::app::picture::hits::Hits;
+use crate::app::picture::overlay::draw_crosshair;
 use crate::app::picture::placement::Placement;
 use crate::app::picture::reading::Reading;
 use crate::app::search::pane::Layer;
 use crate::app::story::recording::Recording;
 use crate::scene::Scene;
 use egui::{
-    Color32, EventFilter, Key, Pos2, Rect, Response, Role, Sense, Stroke, StrokeKind, TextureHandle, Ui, Vec2,
+    Color32, EventFilter, Id, Key, Pos2, Rect, Response, Role, Sense, Stroke, StrokeKind, TextureHandle, Ui, Vec2,
     WidgetInfo, pos2, vec2,
 };
 
@@ -20,6 +21,9 @@ const READOUT: f32 = 26.0;
 #[derive(Debug, Default)]
 pub struct ImagePanel {
     reading: Option<Reading>,
+    hits: Hits,
+    /// Where the picture lies on screen, and the widget that it is.
+    pub seen: Option<(Placement, Id)>,
 }
 
 /// What the panel shows.
@@ -55,6 +59,7 @@ impl ImagePanel {
         let name = say(ui.ctx(), "picture-name");
         response.widget_info(|| WidgetInfo::labeled(Role::Image, true, &name));
         let response = response.on_hover_cursor(egui::CursorIcon::Crosshair);
+        self.seen = Some((place, response.id));
 
         let painter = ui.painter_at(above);
         match &view.texture {
@@ -70,7 +75,7 @@ impl ImagePanel {
         }
         painter.rect_stroke(place.rect, 0.0, Stroke::new(1.0, palette.edge), StrokeKind::Outside);
         if let Some(recording) = view.recording {
-            draw_hits(&painter, view.scene, &place, recording);
+            self.hits.draw(&painter, view.scene, &place, recording);
             draw_crosshair(&painter, place.pixel_rect(recording.pixel), place.rect);
         }
         if response.has_focus() {

@@ -4,6 +4,7 @@ use crate::scene::Scene;
 use egui::{Pos2, Rect, pos2, vec2};
 
 /// Where the picture lies on screen.
+#[derive(Clone, Copy, Debug)]
 pub struct Placement {
     /// Its place.
     pub rect: Rect,

@@ -42,6 +42,12 @@ impl Drop for Job {
 impl Renderer {
     /// Begins to render a scene; a running one is cancelled.
     pub fn start(&mut self, ctx: &Context, scene: &Arc<Scene>) {
+        self.texture = None;
+        self.follow(ctx, scene);
+    }
+
+    /// Begins to render a scene that is nearly the one before: that one's picture stays until there is a new one.
+    pub fn follow(&mut self, ctx: &Context, scene: &Arc<Scene>) {
         let job = Job {
             progress: Arc::new(Progress::new()),
             latest: Arc::default(),
@@ -61,7 +67,6 @@ impl Renderer {
         // Without a thread there is no picture, but everything else still works.
         let started = std::thread::Builder::new().name("render".to_owned()).spawn(work);
         self.job = started.is_ok().then_some(job);
-        self.texture = None;
     }
 
     /// The picture as far as it goes; none until the first pass is done.

@@ -6,6 +6,7 @@ use crate::shape::Method;
 use crate::story::{Filter, Index, Level, Step, Story};
 use crate::trace::{RayTree, record_pixel};
 use glam::DVec3;
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
 /// A hit, and the ray that made it.
@@ -45,6 +46,8 @@ pub struct Recording {
     pub by: Option<Method>,
     /// The time on the current ray that the drawings mark; none where nobody asked for one.
     pub probe_t: Option<f64>,
+    /// The events that an edit of the scene changed.
+    pub changed: BTreeSet<EventId>,
     story: Story,
     plotted: Plotted,
     /// Whether the selection or the rows moved since the tree panel last scrolled to it.
@@ -71,7 +74,18 @@ impl Recording {
         let story = Story::new(Arc::clone(&tree), Level::default(), Filter::default());
         let hits = hits(&tree, story.index());
         let plotted = Plotted { intervals: 0, signs: 0 };
-        Self { pixel, scene, tree, hits, by, probe_t: None, story, plotted, selection_moved: true }
+        Self {
+            pixel,
+            scene,
+            tree,
+            hits,
+            by,
+            probe_t: None,
+            changed: BTreeSet::new(),
+            story,
+            plotted,
+            selection_moved: true,
+        }
     }
 
     /// The same, told at a level and with a filter.

@@ -78,7 +78,7 @@ fn show_rows(ui: &mut Ui, recording: &Recording, range: Range<usize>) -> Option<
     let mut asked = None;
     for place in range {
         if let Some(id) = recording.story().outline().row(place) {
-            asked = show_row(ui, recording.story(), id).or(asked);
+            asked = show_row(ui, recording, id).or(asked);
         }
     }
     asked
@@ -145,10 +145,13 @@ impl Line {
 }
 
 /// Shows a row; returns what a click on it asks for.
-fn show_row(ui: &mut Ui, story: &Story, id: EventId) -> Option<Asked> {
+fn show_row(ui: &mut Ui, recording: &Recording, id: EventId) -> Option<Asked> {
     let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width(), ROW), Sense::hover());
     let response = ui.interact(rect, ui.scope_id().with(("row", id)), Sense::click());
-    let line = Line::of(ui.ctx(), story, id);
+    let mut line = Line::of(ui.ctx(), recording.story(), id);
+    if recording.changed.contains(&id) {
+        line.row.numbers = format!("• {} {}", say(ui.ctx(), "edit-changed"), line.row.numbers);
+    }
     name_row(ui, &response, &line);
 
     let left = rect.left() + 4.0 + INDENT * f32::from(line.depth).min(MOST_INDENTS);

@@ -130,7 +130,7 @@ impl Survey {
         let least = known().filter(|value| *value > 0.0).fold(f64::INFINITY, f64::min);
         let mean = known().sum::<f64>() / known().count().max(1) as f64;
         let mut map = self.plain(self.quantity.note());
-        map.unit = self.quantity.unit().to_owned();
+        self.quantity.unit().clone_into(&mut map.unit);
         // Where the largest is many times the smallest, most pixels would have one colour on a linear scale.
         let is_wide = most > 30.0 * least;
         if self.quantity == Quantity::Error {
