@@ -5,7 +5,7 @@ mod hands;
 
 use egui::accesskit::Role;
 use egui::{Event, Key, Modifiers, OutputCommand};
-use egui_kittest::kittest::{NodeT, Queryable};
+use egui_kittest::kittest::Queryable;
 use hands::*;
 use rayscope::app::{Aim, Command, Ending, Pane, Preset, Product, ShareCommand, ViewCommand};
 use rayscope::record::What;

@@ -38,7 +38,7 @@ pub struct AtCursor {
 pub fn context_at(text: &str, syntax: &Syntax, offset: usize) -> Option<AtCursor> {
     let (word, before) = word_at(text, syntax, offset)?;
     let Some(container) = container_at(syntax, word.start) else {
-        return (before.is_none()).then(|| AtCursor { context: Context::Value { place: Place::ROOT }, word });
+        return (before.is_none()).then_some(AtCursor { context: Context::Value { place: Place::ROOT }, word });
     };
     let before = &text[syntax.tokens[before?].range.clone()];
     let place = syntax.place(container);
@@ -83,7 +83,7 @@ fn word_at(text: &str, syntax: &Syntax, offset: usize) -> Option<(Range<usize>, 
     let word = match touching.map(|token| &syntax.tokens[token]) {
         Some(token) if token.kind == TokenKind::Comment => {
             let is_line = text[token.range.clone()].starts_with("//");
-            if is_line || offset < token.range.end { return None } else { offset..offset }
+            if is_line || offset < token.range.end { return None }            offset..offset
         }
         Some(token) if is_closed_before(text, &token.range, offset) => return None,
         Some(token) => token.range.clone(),

@@ -140,7 +140,7 @@ impl Sheet<'_> {
         if let Some(names) = names_for(self.whole, place) {
             return Some(Control::Name(text_of(value), names));
         }
-        let words: Vec<(String, String)> = allowed.rules.iter().filter_map(|rule| word(rule)).collect();
+        let words: Vec<(String, String)> = allowed.rules.iter().filter_map(word).collect();
         if words.len() == allowed.rules.len() && !words.is_empty() {
             // The tag of a kind with a single value is not a choice.
             return (words.len() > 1).then(|| Control::Choice(text_of(value), words));

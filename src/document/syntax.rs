@@ -107,12 +107,9 @@ impl Syntax {
         let mut steps = Vec::new();
         let mut here = node;
         while let Some(parent) = self.nodes[here].parent {
-            let step = match &self.nodes[here].key {
-                Some((name, _)) => Step::Field(name.clone()),
-                None => {
-                    let siblings = &self.nodes[parent].children;
-                    Step::Item(siblings.iter().position(|child| *child == here).unwrap_or_default())
-                }
+            let step = if let Some((name, _)) = &self.nodes[here].key { Step::Field(name.clone()) } else {
+                let siblings = &self.nodes[parent].children;
+                Step::Item(siblings.iter().position(|child| *child == here).unwrap_or_default())
             };
             steps.push(step);
             here = parent;
@@ -216,7 +213,7 @@ impl Reader<'_> {
             TokenKind::Punctuation => self.punctuation(token, range),
             _ if self.wants_key() && self.text[range.clone()].starts_with('"') => self.name(token, range),
             _ if self.open.is_empty() && !self.syntax.nodes.is_empty() => {
-                self.syntax.tokens[token].kind = TokenKind::Error
+                self.syntax.tokens[token].kind = TokenKind::Error;
             }
             _ if self.wants_key() => {}
             _ => {

@@ -128,7 +128,7 @@ impl Document {
     pub fn replace(&mut self, replacements: Vec<Replacement>, cause: Cause) -> bool {
         let before = self.selection;
         let splices = splice(&mut self.text, replacements);
-        let moved = |offset| splices.iter().fold(offset, |offset, splice| carried(offset, splice));
+        let moved = |offset| splices.iter().fold(offset, carried);
         let after = Selection { anchor: moved(before.anchor), head: moved(before.head) };
         self.note(splices, before, after, cause)
     }

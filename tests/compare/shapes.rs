@@ -105,9 +105,9 @@ fn inside(solid: &Solid, object: &Object, of_leaf: &dyn Fn(usize) -> Vec<Crossin
     let mut result = Vec::new();
     for (crossing, is_left) in all {
         if is_left {
-            in_left = !in_left
+            in_left = !in_left;
         } else {
-            in_right = !in_right
+            in_right = !in_right;
         }
         let is_inside = match operator {
             "union" => in_left || in_right,

@@ -117,7 +117,7 @@ impl<'a> Tracer<'a> {
                 _ => EPSILON,
             };
             let mut ahead = found.into_iter().filter(|crossing| crossing.t > least);
-            let first = if self.has(Bug::FarRoot) { ahead.last() } else { ahead.next() };
+            let first = if self.has(Bug::FarRoot) { ahead.next_back() } else { ahead.next() };
             if let Some(first) = first.filter(|first| best.is_none_or(|(_, best)| first.t < best.t)) {
                 best = Some((object, first));
             }

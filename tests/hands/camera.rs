@@ -16,7 +16,7 @@ pub struct Camera {
 impl TestRenderer for Camera {
     fn handle_delta(&mut self, delta: &mut TexturesDelta) {
         let mut textures = self.textures.borrow_mut();
-        for (id, change) in delta.set.drain(..) {
+        for (id, change) in delta.set.drain() {
             let ImageData::Color(image) = change.image;
             match (change.pos, textures.get_mut(&id)) {
                 (Some([left, top]), Some((whole, _))) => paste(whole, &image, left, top),
@@ -25,7 +25,7 @@ impl TestRenderer for Camera {
                 }
             }
         }
-        for id in delta.free.drain(..) {
+        for id in delta.free.drain() {
             textures.remove(&id);
         }
     }

@@ -108,7 +108,7 @@ impl Commands for StepCommand {
     }
 
     fn is_possible(self, workbench: &Workbench) -> bool {
-        let story = || workbench.recording().map(|recording| recording.story());
+        let story = || workbench.recording().map(super::super::story::recording::Recording::story);
         match self {
             Self::Move(step) => story().is_some_and(|story| story.target(step).is_some()),
             Self::ClearFilter => !workbench.stepping.filter.is_empty(),

@@ -63,7 +63,7 @@ impl Editor {
     /// Whether the text is being typed into.
     #[must_use]
     pub fn has_focus(ctx: &Context) -> bool {
-        ctx.memory(|memory| memory.focused()) == Some(field())
+        ctx.memory(egui::Memory::focused) == Some(field())
     }
 }
 
@@ -240,31 +240,28 @@ impl Editing {
         let cursor = self.document.selection().head;
         let here = self.flaws.iter().find(|flaw| flaw.range.start <= cursor && cursor <= flaw.range.end);
         let flaw = here.or_else(|| self.flaws.first()).cloned();
-        match flaw {
-            Some(flaw) => {
-                ui.horizontal(|ui| {
-                    let count = say_with(ui.ctx(), "edit-errors", &[("count", self.flaws.len().into())]);
-                    ui.label(RichText::new(count).strong().color(palette.problem));
-                    if ui.small_button(say(ui.ctx(), "edit-next-error")).clicked() {
-                        self.next_flaw();
-                    }
-                    if self.is_stale() {
-                        ui.label(RichText::new(say(ui.ctx(), "edit-stale-about")).small().color(palette.weak));
-                    }
-                });
-                let [line, column] = flaw.at.map(|number| number.to_string());
-                let arguments =
-                    [("line", (&line).into()), ("column", (&column).into()), ("message", (&flaw.message).into())];
-                let message = say_with(ui.ctx(), "edit-error-at", &arguments);
-                ui.add(egui::Label::new(RichText::new(&message).color(palette.problem)).truncate())
-                    .on_hover_text(&message);
-            }
-            None => {
-                let place = self.analysis.syntax.place_at(cursor);
-                let about = Guide::scene().at(&self.analysis.whole, &place).description(Guide::scene()).to_owned();
-                ui.add(egui::Label::new(RichText::new(place.to_string()).monospace().small()).truncate());
-                ui.add(egui::Label::new(RichText::new(about).small().color(palette.weak)).truncate());
-            }
+        if let Some(flaw) = flaw {
+            ui.horizontal(|ui| {
+                let count = say_with(ui.ctx(), "edit-errors", &[("count", self.flaws.len().into())]);
+                ui.label(RichText::new(count).strong().color(palette.problem));
+                if ui.small_button(say(ui.ctx(), "edit-next-error")).clicked() {
+                    self.next_flaw();
+                }
+                if self.is_stale() {
+                    ui.label(RichText::new(say(ui.ctx(), "edit-stale-about")).small().color(palette.weak));
+                }
+            });
+            let [line, column] = flaw.at.map(|number| number.to_string());
+            let arguments =
+                [("line", (&line).into()), ("column", (&column).into()), ("message", (&flaw.message).into())];
+            let message = say_with(ui.ctx(), "edit-error-at", &arguments);
+            ui.add(egui::Label::new(RichText::new(&message).color(palette.problem)).truncate())
+                .on_hover_text(&message);
+        } else {
+            let place = self.analysis.syntax.place_at(cursor);
+            let about = Guide::scene().at(&self.analysis.whole, &place).description(Guide::scene()).to_owned();
+            ui.add(egui::Label::new(RichText::new(place.to_string()).monospace().small()).truncate());
+            ui.add(egui::Label::new(RichText::new(about).small().color(palette.weak)).truncate());
         }
     }
 }

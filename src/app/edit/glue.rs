@@ -174,7 +174,7 @@ impl Workbench {
             revision,
             name: editing.name.clone(),
             outside: self.outside,
-            profile: open.look.as_ref().map(|look| look.profile.clone()),
+            profile: open.look.as_ref().map(|look| look.profile),
             open: Some([Arc::clone(&open.whole), Arc::clone(&open.scene)]),
             pixel: recording.map(|recording| recording.pixel),
             before: recording

@@ -136,7 +136,7 @@ impl Editing {
 
     /// Lets keys move what is being edited, while the picture has the focus: arrows across it, Page Up and Page Down away and nearer.
     pub fn move_by_keys(&mut self, ctx: &Context, scene: &Scene, picture: Id) {
-        if !self.mover.is_on || ctx.memory(|memory| memory.focused()) != Some(picture) {
+        if !self.mover.is_on || ctx.memory(egui::Memory::focused) != Some(picture) {
             return;
         }
         let Some(thing) = self.movable() else { return };

@@ -47,12 +47,9 @@ impl Recorder {
         if self.running.as_ref().is_some_and(is_other) {
             self.running = None;
         }
-        match self.running {
-            Some(_) => self.next = Some(wanted),
-            None => {
-                self.next = None;
-                self.start(ctx, wanted);
-            }
+        if let Some(_) = self.running { self.next = Some(wanted) } else {
+            self.next = None;
+            self.start(ctx, wanted);
         }
     }
 

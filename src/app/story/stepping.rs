@@ -180,11 +180,10 @@ impl Workbench {
     fn receive_sifted(&mut self) {
         let Some(sifting) = &self.stepping.sifting else { return };
         let (sifted, finished) = (sifting.take(), sifting.is_finished());
-        if let (Some(sifted), Some(recording)) = (sifted, &mut self.recording) {
-            if Arc::ptr_eq(&sifted.tree, &recording.tree) && sifted.filter == self.stepping.filter {
+        if let (Some(sifted), Some(recording)) = (sifted, &mut self.recording)
+            && Arc::ptr_eq(&sifted.tree, &recording.tree) && sifted.filter == self.stepping.filter {
                 recording.change(|story| story.set_filter(sifted.filter, sifted.matches));
             }
-        }
         if finished {
             self.stepping.sifting = None;
         }

@@ -95,7 +95,7 @@ impl Trace {
             Format::Json => trace_json(self.scene.name(), tree).map(String::into_bytes).map_err(Failure::refused),
             Format::Svg => Ok(drawn::svg(&first()?)),
             Format::Png => Ok(drawn::png(&first()?)),
-            Format::Pdf => Ok(pdf(&self.title(scene), &self.shown.drawn(scene, tree)?)),
+            Format::Pdf => Ok(pdf(self.title(scene), &self.shown.drawn(scene, tree)?)),
             Format::Link => Ok(with_newline(self.link(scene, aim, tree)?)),
             _ => {
                 let link = self.link(scene, aim, tree).ok();

@@ -103,7 +103,7 @@ impl<'a> Ours<'a> {
 
     /// What a ray hit; none where it hit nothing.
     pub fn hit(&self, ray: usize) -> Option<OurHit<'a>> {
-        self.of(ray).find_map(|event| our_hit(event))
+        self.of(ray).find_map(our_hit)
     }
 
     /// The event that says that a ray hit nothing.

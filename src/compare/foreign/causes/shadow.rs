@@ -83,7 +83,7 @@ fn invented(case: Case, place: usize, ray: &OurRay) -> Vec<Explanation> {
 }
 
 /// Primitive, part and time of all hits that count, of the events below an object.
-fn candidates<'a>(events: &'a [Event]) -> impl Iterator<Item = (&'a str, &'a str, f64)> {
+fn candidates(events: &[Event]) -> impl Iterator<Item = (&str, &str, f64)> {
     let mut leaf = "";
     events.iter().flat_map(move |event| {
         if let What::Primitive { name, .. } = &event.what {
