@@ -81,7 +81,9 @@ proptest! {
     #[test]
     fn undoing_everything_gives_the_text_back_bit_for_bit_and_redoing_the_last(deeds in prop::collection::vec(deed(), 0..40)) {
         let mut document = Document::new(SMALL);
-        deeds.iter().for_each(|deed| act(&mut document, deed));
+        for deed in &deeds {
+            act(&mut document, deed);
+        }
         while document.redo().is_some() {}
         let (last, cursor) = (document.text().to_owned(), document.selection());
         let mut steps = 0;

@@ -238,7 +238,9 @@ fn in_the_side_view_an_object_is_moved_within_its_plane_and_along_an_axis_with_s
         let tree = &recording.tree;
         let plane = rayscope::view::side_view_plane(&recording.scene, tree, recording.selected(), &options);
         let [x, y] = plane.spot(glam::DVec3::new(0.0, 0.0, 1.0));
-        rect.min + Vec2::new(x as f32, y as f32)
+        #[expect(clippy::cast_possible_truncation, reason = "a place on the screen")]
+        let spot = Vec2::new(x as f32, y as f32);
+        rect.min + spot
     };
     bench.event(Event::ModifiersChanged(Modifiers::SHIFT));
     drag(&mut bench, ball, ball - Vec2::new(3.0, 30.0));

@@ -361,7 +361,9 @@ impl Workbench {
         if let Some(file) = dropped {
             let name = file.path().display().to_string();
             match file.bytes().map(String::from_utf8) {
-                Ok(Ok(text)) if name.ends_with(".jsonl") => self.open_foreign(&name, &text),
+                Ok(Ok(text)) if file.path().extension().is_some_and(|ending| ending == "jsonl") => {
+                    self.open_foreign(&name, &text);
+                }
                 Ok(Ok(text)) => self.open_text(ctx, &name, &text),
                 Ok(Err(_)) => self.refuse(&name, "The file is not text, so it is no scene.".to_owned()),
                 Err(error) => self.refuse(&name, format!("The file cannot be read: {error}.")),

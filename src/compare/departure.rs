@@ -64,7 +64,7 @@ impl TreeDifference {
     }
 
     /// The rows that are not the same, in order.
-    #[must_use] 
+    #[must_use]
     pub fn different(&self) -> impl DoubleEndedIterator<Item = usize> {
         (0..self.pairs.len()).filter(|&k| self.pairs[k].standing != Standing::Same)
     }

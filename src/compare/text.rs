@@ -6,6 +6,7 @@ use super::{Departure, Tolerance};
 use crate::record::Event;
 use crate::trace::RayTree;
 use crate::view::row;
+use std::fmt::Write as _;
 
 /// The difference as text. What is the same all the way down is one line with the number of events below it.
 #[must_use]
@@ -15,7 +16,7 @@ pub fn difference_text(pairs: &TreeDifference, trees: [&RayTree; 2], tolerance: 
     }
     let [same, changed, left, right] = pairs.counts();
     let mut text = format!("{same} events are the same (=), {changed} changed (~), ");
-    text += &format!("{left} happen only here (-), {right} only there (+)\n");
+    let _ = writeln!(text, "{left} happen only here (-), {right} only there (+)");
     let first = pairs.first_departure(trees[0], trees[1], tolerance);
     put_departure(&mut text, "first difference", first.as_ref(), trees);
     let parting = pairs
@@ -31,7 +32,7 @@ fn put_departure(text: &mut String, head: &str, departure: Option<&Departure>, [
     let Some(departure) = departure else { return };
     let numbers = format!("event {} of {}", departure.left, left.end());
     let others = format!("{} of {}", departure.right, right.end());
-    *text += &format!("{head}: {} ({numbers} here, {others} there)\n  {}\n", departure.event, departure.why);
+    let _ = writeln!(text, "{head}: {} ({numbers} here, {others} there)\n  {}", departure.event, departure.why);
 }
 
 fn put_rows(text: &mut String, pairs: &TreeDifference, trees: [&RayTree; 2], tolerance: &Tolerance) {
@@ -51,10 +52,10 @@ fn put_rows(text: &mut String, pairs: &TreeDifference, trees: [&RayTree; 2], tol
             Standing::OnlyRight => " [only there]",
         };
         let counted = if is_whole && below > 0 { format!("   ({below} more below)") } else { String::new() };
-        *text += &format!("{} {indent}{}{word}{counted}\n", pair.standing.mark(), line(event));
+        let _ = writeln!(text, "{} {indent}{}{word}{counted}", pair.standing.mark(), line(event));
         if pair.standing == Standing::Changed {
             for change in pairs.changes(place, trees, tolerance) {
-                *text += &format!("  {indent}    {}\n", one_change(&change));
+                let _ = writeln!(text, "  {indent}    {}", one_change(&change));
             }
         }
         place = if is_whole { pair.end as usize } else { place + 1 };

@@ -83,7 +83,10 @@ fn word_at(text: &str, syntax: &Syntax, offset: usize) -> Option<(Range<usize>, 
     let word = match touching.map(|token| &syntax.tokens[token]) {
         Some(token) if token.kind == TokenKind::Comment => {
             let is_line = text[token.range.clone()].starts_with("//");
-            if is_line || offset < token.range.end { return None }            offset..offset
+            if is_line || offset < token.range.end {
+                return None;
+            }
+            offset..offset
         }
         Some(token) if is_closed_before(text, &token.range, offset) => return None,
         Some(token) => token.range.clone(),

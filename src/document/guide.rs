@@ -117,7 +117,7 @@ impl Guide {
         if let (Some(items), Value::Array(_)) = (rule.get("items").and_then(Value::as_object), value)
             && let Some(first) = value.get(0)
         {
-            return self.allowed(vec![items]).rules.iter().any(|rule| self.fits_shallow(rule, first));
+            return self.allowed(vec![items]).rules.iter().any(|rule| fits_shallow(rule, first));
         }
         let Value::Object(fields) = value else { return true };
         let Some(properties) = rule.get("properties").and_then(Value::as_object) else { return true };
@@ -125,14 +125,8 @@ impl Guide {
         fields.iter().filter(|(name, _)| Some(name.as_str()) != except).all(|(name, value)| {
             let Some(property) = properties.get(name).and_then(Value::as_object) else { return is_open };
             let rules = self.allowed(vec![property]).rules;
-            value.is_null() || rules.is_empty() || rules.iter().any(|rule| self.fits_shallow(rule, value))
+            value.is_null() || rules.is_empty() || rules.iter().any(|rule| fits_shallow(rule, value))
         })
-    }
-
-    /// The kind of the value alone.
-    fn fits_shallow(&self, rule: &Rule, value: &Value) -> bool {
-        let fits_type = rule.get("type").and_then(Value::as_str).is_none_or(|name| is_of_type(value, name));
-        fits_type && rule.get("const").is_none_or(|only| only == value || !value.is_string())
     }
 
     /// Lists what a rule stands for: the definition that it refers to, or each of its alternatives.
@@ -220,6 +214,12 @@ impl Guide {
         };
         (0..least).map(place).collect()
     }
+}
+
+/// The kind of the value alone.
+fn fits_shallow(rule: &Rule, value: &Value) -> bool {
+    let fits_type = rule.get("type").and_then(Value::as_str).is_none_or(|name| is_of_type(value, name));
+    fits_type && rule.get("const").is_none_or(|only| only == value || !value.is_string())
 }
 
 impl<'g> Allowed<'g> {

@@ -113,14 +113,14 @@ impl Recovered {
         let (_, payload, mut rest) = next_record(bytes.strip_prefix(HEAD)?).filter(|(kind, ..)| *kind == b'=')?;
         let mut state: Self = serde_json::from_slice(payload).ok()?;
         while let Some((b'+', payload, after)) = next_record(rest) {
-            let Some(()) = serde_json::from_slice(payload).ok().and_then(|later| state.go_on(later)) else { break };
+            let Some(()) = serde_json::from_slice(payload).ok().and_then(|later| state.go_on(&later)) else { break };
             rest = after;
         }
         state.selection = state.selection.within(&state.text);
         Some(state)
     }
 
-    fn go_on(&mut self, later: Later) -> Option<()> {
+    fn go_on(&mut self, later: &Later) -> Option<()> {
         let range = later.at..later.at.checked_add(later.removed)?;
         // Whether it lies in the text, on the borders of characters.
         self.text.get(range.clone())?;

@@ -107,7 +107,9 @@ impl Syntax {
         let mut steps = Vec::new();
         let mut here = node;
         while let Some(parent) = self.nodes[here].parent {
-            let step = if let Some((name, _)) = &self.nodes[here].key { Step::Field(name.clone()) } else {
+            let step = if let Some((name, _)) = &self.nodes[here].key {
+                Step::Field(name.clone())
+            } else {
                 let siblings = &self.nodes[parent].children;
                 Step::Item(siblings.iter().position(|child| *child == here).unwrap_or_default())
             };

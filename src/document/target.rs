@@ -61,11 +61,11 @@ pub fn targets(whole: &Value) -> Vec<Target> {
         list.push(Target { kind: TargetKind::Light, place: root.field("lights").item(i), name, depth: 0 });
     }
     for (i, object) in items(whole, "objects").iter().enumerate() {
-        solids(object, root.field("objects").item(i), 0, TargetKind::Object, &mut list);
+        solids(object, &root.field("objects").item(i), 0, TargetKind::Object, &mut list);
     }
     for (name, solid) in fields(whole, "solids") {
         let first = list.len();
-        solids(solid, root.field("solids").field(name), 0, TargetKind::Solid, &mut list);
+        solids(solid, &root.field("solids").field(name), 0, TargetKind::Solid, &mut list);
         if let Some(target) = list.get_mut(first) {
             target.name.clone_from(name);
         }
@@ -77,12 +77,12 @@ pub fn targets(whole: &Value) -> Vec<Target> {
     list
 }
 
-fn solids(solid: &Value, place: Place, depth: usize, kind: TargetKind, list: &mut Vec<Target>) {
+fn solids(solid: &Value, place: &Place, depth: usize, kind: TargetKind, list: &mut Vec<Target>) {
     let name = text(solid, "name").or_else(|| text(solid, "shape")).unwrap_or_default().to_owned();
     list.push(Target { kind, place: place.clone(), name, depth });
     if depth < MOST_DEPTH {
         for (i, part) in items(solid, "of").iter().enumerate() {
-            solids(part, place.field("of").item(i), depth + 1, TargetKind::Part, list);
+            solids(part, &place.field("of").item(i), depth + 1, TargetKind::Part, list);
         }
     }
 }

@@ -48,7 +48,7 @@ impl<'a> Sheet<'a> {
         let has_working = !beneath(account.tree.event(sheet.event())).is_empty();
         let width = if has_working { COLUMN - MARGIN - 20.0 } else { SHEET[0] - 2.0 * MARGIN };
         let height = SHEET[1] - top - BOTTOM;
-        let figures = figures_of(account, sheet.event(), |count| sheet.share(count, [width, height], false));
+        let figures = figures_of(account, sheet.event(), |count| share(count, [width, height], false));
         let has_figures = !figures.is_empty();
         sheet.put_figures(&figures, [MARGIN, top], false);
         sheet.working(top + LINE, if has_figures { COLUMN } else { MARGIN });
@@ -60,7 +60,7 @@ impl<'a> Sheet<'a> {
     pub fn frame(account: &'a Account<'a>, steps: &'a Steps, place: usize) -> Drawing {
         let mut sheet = Self::new(account, steps, place);
         let room = [SHEET[0], SHEET[1] - CAPTION];
-        let figures = figures_of(account, sheet.event(), |count| sheet.share(count, room, true));
+        let figures = figures_of(account, sheet.event(), |count| share(count, room, true));
         sheet.put_figures(&figures, [0.0, 0.0], true);
         sheet.caption();
         sheet.told(&figures)
@@ -68,12 +68,6 @@ impl<'a> Sheet<'a> {
 
     fn event(&self) -> u32 {
         self.steps.events[self.place]
-    }
-
-    /// The size of each of so many drawings in a room: beside each other or one below the other.
-    fn share(&self, count: usize, [width, height]: [f64; 2], beside: bool) -> [f64; 2] {
-        let count = count.max(1) as f64;
-        if beside { [width / count, height] } else { [width, height / count] }
     }
 
     fn put_figures(&mut self, figures: &[Figure], at: Spot, beside: bool) {
@@ -186,6 +180,12 @@ impl<'a> Sheet<'a> {
         self.drawing.description = words.join("\n");
         self.drawing
     }
+}
+
+/// The size of each of so many drawings in a room: beside each other or one below the other.
+fn share(count: usize, [width, height]: [f64; 2], beside: bool) -> [f64; 2] {
+    let count = count.max(1) as f64;
+    if beside { [width / count, height] } else { [width, height / count] }
 }
 
 fn in_words(line: &crate::view::DetailLine) -> String {

@@ -50,7 +50,9 @@ impl Index {
         let levels = levels(tree, &kinds, (&scope_of, &scopes), &object_of);
         let (skips_before, cuts) = skips(tree);
         let mut present = vec![false; Kind::ALL.len()];
-        kinds.iter().for_each(|&kind| present[kind as usize] = true);
+        for &kind in &kinds {
+            present[kind as usize] = true;
+        }
         Self { ends: ends(tree), kinds, levels, scope_of, scopes, object_of, objects, skips_before, cuts, present }
     }
 

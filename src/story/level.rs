@@ -42,14 +42,14 @@ pub(super) fn level_of(event: &Event, scope: &Scope, decides: bool) -> Level {
     // Shadow rays are the working of a light: the light's own row says how much of it arrives.
     let alarming = if scope.kind == RayKind::Shadow { Level::Working } else { Level::Story };
     match &event.what {
-        What::Ray { ray: RayKind::Shadow, .. } => Level::Working,
-        What::Decision { certificate: Certificate::Undecidable, .. } => alarming,
+        What::Decision { certificate: Certificate::Undecidable, .. }
+        | What::Snell { total_internal_reflection: true, .. }
+        | What::Medium { interpenetration: true, .. } => alarming,
         What::Search { undecided, .. } if *undecided > 0 => alarming,
-        What::Decision { certificate: Certificate::Fallback, .. } => Level::Working,
-        What::Snell { total_internal_reflection: true, .. } => alarming,
-        What::Medium { interpenetration: true, .. } => alarming,
         What::Combine { early_out: Some(_), .. } if decides => alarming,
-        What::Extent { inside: None, .. }
+        What::Ray { ray: RayKind::Shadow, .. }
+        | What::Decision { certificate: Certificate::Fallback, .. }
+        | What::Extent { inside: None, .. }
         | What::Ball { is_met: false, .. }
         | What::Projection { holds: false, .. }
         | What::Planes { stopped: Some(_), .. } => Level::Working,

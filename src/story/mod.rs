@@ -15,9 +15,9 @@ mod play;
 mod shown;
 mod skip;
 mod step;
-mod story;
 #[cfg(test)]
 mod testing;
+mod told;
 mod until;
 
 pub use breakpoint::{Breakpoint, Breakpoints};
@@ -30,5 +30,5 @@ pub use play::{Player, SPEEDS};
 pub use shown::Shown;
 pub use skip::{Cut, Skip, all_skips, cut, skips};
 pub use step::Step;
-pub use story::{Place, Story};
+pub use told::{Place, Story};
 pub use until::next_pixel;

@@ -9,6 +9,7 @@ use super::palette::{Colour, Palette, Theme};
 use super::text::count;
 use crate::record::{Certificate, Event, EventId, RayKind, What};
 use crate::trace::RayTree;
+use std::fmt::Write as _;
 
 /// Sizes in points.
 const TEXT: f64 = 10.0;
@@ -431,10 +432,10 @@ fn describe(tree: &RayTree, survey: &Survey, stops: usize) -> String {
         kinds.join(", ")
     );
     if !notable.is_empty() {
-        text += &format!(" {}.", notable.join("; "));
+        let _ = write!(text, " {}.", notable.join("; "));
     }
     if stops > 0 {
-        text += &format!(" Breakpoints stop at {}.", count(stops, "event"));
+        let _ = write!(text, " Breakpoints stop at {}.", count(stops, "event"));
     }
     text
 }

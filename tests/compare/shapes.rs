@@ -84,18 +84,20 @@ fn cube(s: DVec3, c: DVec3) -> Vec<(f64, DVec3)> {
 
 /// The boundaries of an object along a ray, in order.
 pub fn boundaries(object: &Object, of_leaf: &dyn Fn(usize) -> Vec<Crossing>, bug: Bug) -> Vec<Crossing> {
-    inside(&object.solid, object, of_leaf, bug)
+    inside(&object.solid, of_leaf, bug)
 }
 
-fn inside(solid: &Solid, object: &Object, of_leaf: &dyn Fn(usize) -> Vec<Crossing>, bug: Bug) -> Vec<Crossing> {
+fn inside(solid: &Solid, of_leaf: &dyn Fn(usize) -> Vec<Crossing>, bug: Bug) -> Vec<Crossing> {
     let (operator, left, right) = match solid {
         Solid::Leaf(leaf) => return of_leaf(*leaf),
         Solid::Pair(operator, left, right) => (operator.as_str(), left, right),
     };
-    let left = inside(left, object, of_leaf, bug);
-    let mut right = inside(right, object, of_leaf, bug);
+    let left = inside(left, of_leaf, bug);
+    let mut right = inside(right, of_leaf, bug);
     if operator == "difference" && bug != Bug::OperandNormal {
-        right.iter_mut().for_each(|crossing| crossing.turned = !crossing.turned);
+        for crossing in &mut right {
+            crossing.turned = !crossing.turned;
+        }
     }
     // Every solid of the sample is left behind far enough along the ray backwards.
     let (mut in_left, mut in_right, mut was_inside) = (false, false, false);

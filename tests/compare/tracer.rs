@@ -26,8 +26,11 @@ struct Hit<'a> {
 /// The lines that the sample prints of some pixels.
 pub fn print(scene: &Scene, pixels: &[[u32; 2]], prints: Prints) -> String {
     let mut tracer = Tracer { scene, prints, lines: Vec::new() };
-    pixels.iter().for_each(|&pixel| tracer.pixel(pixel));
-    tracer.lines.iter().map(|line| format!("{line}\n")).collect()
+    for &pixel in pixels {
+        tracer.pixel(pixel);
+    }
+    let lines: Vec<String> = tracer.lines.iter().map(ToString::to_string).collect();
+    lines.join("\n") + "\n"
 }
 
 fn list(v: DVec3) -> Value {

@@ -16,12 +16,14 @@ pub struct Camera {
 impl TestRenderer for Camera {
     fn handle_delta(&mut self, delta: &mut TexturesDelta) {
         let mut textures = self.textures.borrow_mut();
-        for (id, change) in delta.set.drain() {
-            let ImageData::Color(image) = change.image;
-            match (change.pos, textures.get_mut(&id)) {
-                (Some([left, top]), Some((whole, _))) => paste(whole, &image, left, top),
-                _ => {
-                    textures.insert(id, (ColorImage::clone(&image), change.options));
+        for (id, changes) in delta.set.drain() {
+            for change in changes {
+                let ImageData::Color(image) = change.image;
+                match (change.pos, textures.get_mut(&id)) {
+                    (Some([left, top]), Some((whole, _))) => paste(whole, &image, left, top),
+                    _ => {
+                        textures.insert(id, (ColorImage::clone(&image), change.options));
+                    }
                 }
             }
         }

@@ -104,6 +104,8 @@ impl Spread {
 
     /// The value that this share of all values does not exceed.
     pub fn at(&self, share: f64) -> f64 {
-        self.0[(share * (self.0.len() - 1) as f64).ceil() as usize]
+        let count = self.0.len();
+        let place = (0..count).find(|&place| (place + 1) as f64 >= share * count as f64);
+        self.0[place.unwrap_or(count - 1)]
     }
 }

@@ -149,7 +149,9 @@ fn pictures(ui: &mut Ui, shown: &Shown) {
 fn figures(ui: &mut Ui, point: &Point) {
     let timing = &point.timing;
     let share = if timing.seconds > 0.0 { 100.0 * timing.spread / timing.seconds } else { 0.0 };
-    let taken = if let Some(noise) = timing.noise { noise.describe() } else {
+    let taken = if let Some(noise) = timing.noise {
+        noise.describe()
+    } else {
         let told = format!("{} ± {share:.1} %", seconds(timing.seconds));
         say_with(ui.ctx(), "accuracy-times", &[("time", (&told).into()), ("count", timing.repeats.into())])
     };

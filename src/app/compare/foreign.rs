@@ -12,6 +12,9 @@ use std::sync::Arc;
 /// Departing stories that are listed.
 const LISTED: usize = 50;
 
+/// A comparison, or why there is none.
+type Answer = Result<Arc<Comparison>, String>;
+
 /// What another ray tracer printed.
 #[derive(Default)]
 pub struct Foreign {
@@ -19,8 +22,8 @@ pub struct Foreign {
     /// Why it cannot be used.
     problem: Option<String>,
     trace: Option<Arc<ForeignTrace>>,
-    shown: Option<(Arc<Scene>, Result<Arc<Comparison>, String>)>,
-    running: Option<(Arc<Scene>, Background<Result<Arc<Comparison>, String>>)>,
+    shown: Option<(Arc<Scene>, Answer)>,
+    running: Option<(Arc<Scene>, Background<Answer>)>,
 }
 
 /// A story of ours that is to be shown, at an event.

@@ -110,7 +110,7 @@ impl Editing {
             ui.horizontal_top(|ui| {
                 ui.spacing_mut().item_spacing.x = 0.0;
                 ui.add_space(numbers);
-                let output = show_text(ui, &mut text, job, room, self.editor.popup.filter());
+                let output = show_text(ui, &mut text, &job, room, self.editor.popup.filter());
                 self.line_numbers(ui, &output, &font);
                 output
             })
@@ -255,8 +255,7 @@ impl Editing {
             let arguments =
                 [("line", (&line).into()), ("column", (&column).into()), ("message", (&flaw.message).into())];
             let message = say_with(ui.ctx(), "edit-error-at", &arguments);
-            ui.add(egui::Label::new(RichText::new(&message).color(palette.problem)).truncate())
-                .on_hover_text(&message);
+            ui.add(egui::Label::new(RichText::new(&message).color(palette.problem)).truncate()).on_hover_text(&message);
         } else {
             let place = self.analysis.syntax.place_at(cursor);
             let about = Guide::scene().at(&self.analysis.whole, &place).description(Guide::scene()).to_owned();
@@ -266,7 +265,7 @@ impl Editing {
     }
 }
 
-fn show_text(ui: &mut Ui, text: &mut String, job: LayoutJob, room: Vec2, filter: EventFilter) -> TextEditOutput {
+fn show_text(ui: &mut Ui, text: &mut String, job: &LayoutJob, room: Vec2, filter: EventFilter) -> TextEditOutput {
     let font = TextStyle::Monospace.resolve(ui.style());
     let mut layouter = |ui: &Ui, buffer: &dyn TextBuffer, _width: f32| -> Arc<Galley> {
         // What is typed in this frame is not in the job yet.

@@ -5,7 +5,7 @@ use crate::app::edit::editor::Editor;
 use crate::app::edit::frame_box::{draw_box, draw_spot, place_of_light};
 use crate::app::edit::live::{Followed, Order as CompileOrder};
 use crate::app::edit::recovery::Recovery;
-use crate::app::edit::saving::{Order as SaveOrder, Refusal, Written, pictures_of};
+use crate::app::edit::saving::{Order as SaveOrder, Place, Refusal, Written, pictures_of};
 use crate::app::frame::words::{say, say_with};
 use crate::app::pane::Pane;
 use crate::app::story::recording::Recording;
@@ -337,9 +337,9 @@ impl Workbench {
 
     fn follow_saving(&mut self, ctx: &Context) {
         match self.editing.saving.chosen() {
-            Some(Some(path)) => self.save_as(ctx, path),
-            Some(None) => self.editing.saving.then = None,
-            None => {}
+            Place::File(path) => self.save_as(ctx, path),
+            Place::Closed => self.editing.saving.then = None,
+            Place::Waiting => {}
         }
         if let Some(written) = self.editing.saving.take() {
             self.note_written(ctx, written);

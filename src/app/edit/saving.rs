@@ -52,6 +52,16 @@ pub struct Saving {
     pub then: Option<Then>,
 }
 
+/// What became of the dialogue that asks where to save.
+pub enum Place {
+    /// Nothing yet.
+    Waiting,
+    /// It was closed.
+    Closed,
+    /// A file was chosen.
+    File(PathBuf),
+}
+
 impl Saving {
     /// Begins to write a file.
     pub fn start(&mut self, ctx: &Context, order: Order) {
@@ -85,15 +95,14 @@ impl Saving {
         self.dialogue = started.is_ok().then_some(receiver);
     }
 
-    /// Where to write, once it is chosen; and whether the dialogue was closed without.
-    pub fn chosen(&mut self) -> Option<Option<PathBuf>> {
-        let answer = match self.dialogue.as_ref()?.try_recv() {
-            Ok(answer) => answer,
-            Err(TryRecvError::Empty) => return None,
-            Err(TryRecvError::Disconnected) => None,
+    /// What was chosen in the dialogue, once.
+    pub fn chosen(&mut self) -> Place {
+        let answer = match self.dialogue.as_ref().map(Receiver::try_recv) {
+            None | Some(Err(TryRecvError::Empty)) => return Place::Waiting,
+            Some(answer) => answer.ok().flatten(),
         };
         self.dialogue = None;
-        Some(answer)
+        answer.map_or(Place::Closed, Place::File)
     }
 }
 
@@ -141,10 +150,15 @@ impl Order {
 }
 
 /// What a new file may be read and written by; temporary files are for their owner alone.
+#[cfg(unix)]
+#[expect(clippy::unnecessary_wraps, reason = "other systems have none")]
 fn plain_permissions() -> Option<fs::Permissions> {
-    #[cfg(unix)]
-    return Some(std::os::unix::fs::PermissionsExt::from_mode(0o644));
-    #[cfg(not(unix))]
+    Some(std::os::unix::fs::PermissionsExt::from_mode(0o644))
+}
+
+/// Elsewhere new files have what the folder says.
+#[cfg(not(unix))]
+fn plain_permissions() -> Option<fs::Permissions> {
     None
 }
 

@@ -114,7 +114,9 @@ mod tests {
         let place = Placement { rect: Rect::from_min_size(pos2(0.0, 0.0), vec2(640.0, 480.0)), size: [640, 480] };
         let of = |steps: &[usize]| {
             let mut hits = Hits::default();
-            steps.iter().for_each(|&wanted| hits.bring_to(wanted, &scene, &place, &recording, 1.0));
+            for &wanted in steps {
+                hits.bring_to(wanted, &scene, &place, &recording, 1.0);
+            }
             (hits.mesh.vertices.clone(), hits.mesh.indices.clone())
         };
         let all = recording.hits.len();

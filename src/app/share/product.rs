@@ -122,6 +122,10 @@ impl Product {
     }
 
     /// The bytes of its files; `stem` begins the names of those beside it. None if it was given up.
+    ///
+    /// # Errors
+    ///
+    /// Why the trace cannot be written so, in a sentence.
     pub fn files(self, material: &Material, stem: &str, watch: Watch) -> std::result::Result<Option<Files>, String> {
         let alone = |main: Vec<u8>| Files { main, beside: Vec::new() };
         let account = material.account();

@@ -33,7 +33,9 @@ pub fn ui(ui: &mut Ui, workbench: &mut Workbench) {
         let Workbench { timeline, recording, .. } = workbench;
         if let Some(recording) = recording {
             let target = ui.scope_builder(builder, |ui| timeline.ui(ui, recording)).inner;
-            target.into_iter().for_each(|event| recording.select(event));
+            if let Some(event) = target {
+                recording.select(event);
+            }
         }
         top = strip.bottom();
         line(ui, whole, top);

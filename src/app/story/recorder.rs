@@ -47,7 +47,9 @@ impl Recorder {
         if self.running.as_ref().is_some_and(is_other) {
             self.running = None;
         }
-        if let Some(_) = self.running { self.next = Some(wanted) } else {
+        if self.running.is_some() {
+            self.next = Some(wanted);
+        } else {
             self.next = None;
             self.start(ctx, wanted);
         }

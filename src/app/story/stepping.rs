@@ -142,7 +142,9 @@ impl Workbench {
         let first = stops.first().copied().filter(|_| std::mem::take(&mut self.stepping.goes_to_stop));
         recording.change(|story| {
             story.set_stops(stops);
-            first.into_iter().for_each(|event| story.select(event));
+            if let Some(event) = first {
+                story.select(event);
+            }
         });
         if let Some(old) = self.recording.replace(recording) {
             self.stepping.recorder.retire(Arc::clone(&old.tree));
@@ -181,9 +183,11 @@ impl Workbench {
         let Some(sifting) = &self.stepping.sifting else { return };
         let (sifted, finished) = (sifting.take(), sifting.is_finished());
         if let (Some(sifted), Some(recording)) = (sifted, &mut self.recording)
-            && Arc::ptr_eq(&sifted.tree, &recording.tree) && sifted.filter == self.stepping.filter {
-                recording.change(|story| story.set_filter(sifted.filter, sifted.matches));
-            }
+            && Arc::ptr_eq(&sifted.tree, &recording.tree)
+            && sifted.filter == self.stepping.filter
+        {
+            recording.change(|story| story.set_filter(sifted.filter, sifted.matches));
+        }
         if finished {
             self.stepping.sifting = None;
         }
@@ -282,7 +286,9 @@ impl Workbench {
     pub(in crate::app) fn jump_to(&mut self, n: usize) -> bool {
         let Some(recording) = &mut self.recording else { return false };
         let event: Option<EventId> = recording.story().nth(n);
-        event.into_iter().for_each(|event| recording.select(event));
+        if let Some(event) = event {
+            recording.select(event);
+        }
         event.is_some()
     }
 

@@ -64,7 +64,9 @@ pub fn ui(ui: &mut Ui, workbench: &mut Workbench) {
     if let (Some(kind), Some(recording)) = (kind, &mut workbench.recording) {
         let target =
             recording.story().of_kind(kind, true).or_else(|| recording.story().shown().steps_of(kind).first().copied());
-        target.into_iter().for_each(|event| recording.select(event));
+        if let Some(event) = target {
+            recording.select(event);
+        }
     }
 }
 

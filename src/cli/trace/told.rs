@@ -78,36 +78,36 @@ impl Told<'_> {
     pub fn written(&self, format: Format) -> Result<Vec<u8>, Failure> {
         let account = &self.account;
         let moving = |moving| {
-            self.watched(|watch| animation(account, moving, self.seconds, watch)).map_err(|error| match error {
+            watched(|watch| animation(account, moving, self.seconds, watch)).map_err(|error| match error {
                 AnimationError::Cancelled => interrupted(Cancelled),
                 AnimationError::Encoder(_) => Failure::refused(error.to_string()),
             })
         };
         match format {
-            Format::SlidesPdf => self.watched(|watch| slides_pdf(account, watch)).map_err(interrupted),
+            Format::SlidesPdf => watched(|watch| slides_pdf(account, watch)).map_err(interrupted),
             Format::Gif => moving(Moving::Gif),
             Format::Apng => moving(Moving::Apng),
-            _ => self.watched(|watch| slides(account, watch)).map(String::into_bytes).map_err(interrupted),
+            _ => watched(|watch| slides(account, watch)).map(String::into_bytes).map_err(interrupted),
         }
     }
 
     /// The worked example; `stem` begins the names of its drawings.
     pub fn paper(&self, stem: Option<&str>) -> Result<share::Paper, Failure> {
-        self.watched(|watch| share::markdown(&self.account, stem, watch)).map_err(interrupted)
+        watched(|watch| share::markdown(&self.account, stem, watch)).map_err(interrupted)
     }
+}
 
-    /// Does the work under a bar; Ctrl-C stops it between two steps.
-    fn watched<T>(&self, work: impl FnOnce(Watch) -> T) -> T {
-        /// The bar's length: how many steps there are is known only once the work goes on.
-        const PARTS: usize = 1000;
-        let progress = stopped_by_ctrl_c();
-        let parts = AtomicUsize::new(0);
-        let watch = |done: usize, of: usize| {
-            parts.store(PARTS * done / of.max(1), Ordering::Relaxed);
-            !progress.cancelled()
-        };
-        with_bar(PARTS, || parts.load(Ordering::Relaxed), || work(&watch))
-    }
+/// Does the work under a bar; Ctrl-C stops it between two steps.
+fn watched<T>(work: impl FnOnce(Watch) -> T) -> T {
+    /// The bar's length: how many steps there are is known only once the work goes on.
+    const PARTS: usize = 1000;
+    let progress = stopped_by_ctrl_c();
+    let parts = AtomicUsize::new(0);
+    let watch = |done: usize, of: usize| {
+        parts.store(PARTS * done / of.max(1), Ordering::Relaxed);
+        !progress.cancelled()
+    };
+    with_bar(PARTS, || parts.load(Ordering::Relaxed), || work(&watch))
 }
 
 fn interrupted(_: Cancelled) -> Failure {

@@ -168,10 +168,8 @@ pub fn apart(a: &[f64], b: &[f64]) -> f64 {
         return f64::INFINITY;
     }
     let one = |(a, b): (&f64, &f64)| if a == b || (a.is_nan() && b.is_nan()) { 0.0 } else { (a - b).abs() };
-    
-    std::iter::zip(a, b)
-        .map(one)
-        .fold(0.0, |most: f64, off| if off.is_nan() { f64::INFINITY } else { most.max(off) })
+
+    std::iter::zip(a, b).map(one).fold(0.0, |most: f64, off| if off.is_nan() { f64::INFINITY } else { most.max(off) })
 }
 
 /// The vector with length 1; the vector itself where it has none.

@@ -153,7 +153,7 @@ impl<'a> Ours<'a> {
                 operator: *operator,
                 left,
                 right: right.as_deref().unwrap_or_default(),
-                combined,
+                result: combined,
             }),
             _ => None,
         })
@@ -179,7 +179,7 @@ impl<'a> Ours<'a> {
         let Some(combined) = self.object(ray, hit.object).and_then(|object| self.combined(object.id)) else {
             return false;
         };
-        let edges = combined.combined.iter().flat_map(|span| [&span.enter, &span.leave]).flatten();
+        let edges = combined.result.iter().flat_map(|span| [&span.enter, &span.leave]).flatten();
         edges.into_iter().any(|edge| edge.t == hit.t && edge.flipped)
     }
 }
@@ -196,7 +196,7 @@ pub struct Combined<'a> {
     /// Inside the right solid.
     pub right: &'a [Span],
     /// Inside the result.
-    pub combined: &'a [Span],
+    pub result: &'a [Span],
 }
 
 fn first_ray(tree: &RayTree) -> OurRay {

@@ -163,6 +163,7 @@ impl Reader<'_> {
     }
 
     /// A member for which `null` says something.
+    #[expect(clippy::option_option, reason = "left out, `null`, and a value are three things")]
     fn or_null<T>(&mut self, name: &str, expected: &str, read: impl Fn(&Value) -> Option<T>) -> Option<Option<T>> {
         match self.members.get(name) {
             None => None,

@@ -192,7 +192,9 @@ fn story(
 ) -> StoryComparison {
     let ours = Ours::new(scene, &tree);
     let mut walk = Walk::new(&ours, share);
-    lines.iter().for_each(|line| walk.line(line));
+    for line in lines {
+        walk.line(line);
+    }
     notes.append(&mut walk.notes);
     let departing: Vec<&Check> = walk.checks.iter().filter(|check| !check.holds()).collect();
     // Of one event, which object it is comes before its numbers, and those in the order of the lines.

@@ -27,7 +27,7 @@ impl Walk<'_, '_> {
         } else if wanted.is_none()
             && let Some(theirs) = &line.hits
         {
-            let edges = self.ours.combined(object.id).map(|node| edges(node.combined)).unwrap_or_default();
+            let edges = self.ours.combined(object.id).map(|node| edges(node.result)).unwrap_or_default();
             self.times(line, ray, open, (Subject::Edges(object.id), object.id), &edges, theirs);
         }
         if wanted.is_none() {
@@ -119,7 +119,7 @@ impl Walk<'_, '_> {
     fn inside(&mut self, line: &Line, ray: usize, open: Open, object: &Event) {
         let Some(theirs) = &line.inside else { return };
         let (event, ours) = match self.ours.combined(object.id) {
-            Some(node) => (node.event, intervals(node.combined)),
+            Some(node) => (node.event, intervals(node.result)),
             None => (object.id, self.crossings(object.id)),
         };
         let our_ray = &self.ours.rays[ray];

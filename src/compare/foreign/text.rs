@@ -3,6 +3,7 @@
 use super::check::Check;
 use super::report::{Comparison, ForeignDeparture, Place, StoryComparison};
 use crate::compare::{Change, Said};
+use std::fmt::Write as _;
 
 /// Causes that are told of a departure.
 const TOLD: usize = 4;
@@ -12,21 +13,21 @@ const TOLD: usize = 4;
 pub fn comparison_text(comparison: &Comparison) -> String {
     let mut text = String::new();
     for note in &comparison.notes {
-        text += &format!("note: {note}\n");
+        let _ = writeln!(text, "note: {note}");
     }
     let departing: Vec<&StoryComparison> =
         comparison.stories.iter().filter(|story| story.departure.is_some()).collect();
     let stories = count(comparison.stories.len(), "story", "stories");
     let numbers = count(comparison.checks(), "thing", "things");
     if departing.is_empty() {
-        text += &format!("no difference in {stories}: {numbers} compared\n");
+        let _ = writeln!(text, "no difference in {stories}: {numbers} compared");
         return text;
     }
-    text += &format!("{} of {stories} depart; {numbers} compared\n", departing.len());
+    let _ = writeln!(text, "{} of {stories} depart; {numbers} compared", departing.len());
     if departing.len() > 1
         && let Some((cause, explains)) = comparison.verdict().first()
     {
-        text += &format!("explains {explains} of them: {} [{}]\n", cause.says, cause.id);
+        let _ = writeln!(text, "explains {explains} of them: {} [{}]", cause.says, cause.id);
     }
     for story in departing {
         if let Some(departure) = &story.departure {
@@ -40,22 +41,23 @@ pub fn comparison_text(comparison: &Comparison) -> String {
 fn put_departure(text: &mut String, story: &StoryComparison, departure: &ForeignDeparture) {
     let check = &departure.check;
     let holding = count(story.checks - story.departing, "thing agrees", "things agree");
-    *text += &format!("{} (line {}): {holding}, {} not\n", story.place.words(), story.line, story.departing);
-    *text += &format!("  first departure: line {}, {} of the {}\n", check.line, check.subject.words(), departure.ray);
-    *text += &format!("  at event {}: {}\n", check.event, departure.event);
+    let _ = writeln!(text, "{} (line {}): {holding}, {} not", story.place.words(), story.line, story.departing);
+    let _ =
+        writeln!(text, "  first departure: line {}, {} of the {}", check.line, check.subject.words(), departure.ray);
+    let _ = writeln!(text, "  at event {}: {}", check.event, departure.event);
     let [ours, theirs] = check.texts();
-    *text += &format!("    ours:   {ours}\n    theirs: {theirs}\n");
+    let _ = writeln!(text, "    ours:   {ours}\n    theirs: {theirs}");
     if check.off.is_finite() {
         let [off, allowed] = [check.off, check.allowed].map(|x| crate::view::significant(x, 2));
-        *text += &format!("    they lie {off} apart; {allowed} is allowed\n");
+        let _ = writeln!(text, "    they lie {off} apart; {allowed} is allowed");
     }
     if departure.causes.is_empty() {
         *text += "  no known mistake explains it\n";
     }
     for (number, explanation) in departure.causes.iter().take(TOLD).enumerate() {
         let head = if number == 0 { "likely cause" } else { "or" };
-        *text += &format!("  {head}: {} [{}]\n", explanation.cause.says, explanation.cause.id);
-        *text += &format!("    evidence: {}\n", explanation.evidence);
+        let _ = writeln!(text, "  {head}: {} [{}]", explanation.cause.says, explanation.cause.id);
+        let _ = writeln!(text, "    evidence: {}", explanation.evidence);
     }
 }
 

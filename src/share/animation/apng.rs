@@ -17,7 +17,7 @@ pub fn encode(film: &Film) -> Result<Vec<u8>, AnimationError> {
     Ok(bytes)
 }
 
-fn refused(error: png::EncodingError) -> AnimationError {
+fn refused<E: std::fmt::Display>(error: E) -> AnimationError {
     AnimationError::Encoder(error.to_string())
 }
 

@@ -178,7 +178,8 @@ mod tests {
 
     #[test]
     fn the_same_picture_gives_the_same_colours_in_whatever_order_it_is_counted() {
-        let forward: Vec<Rgb> = (0..2000_u32).map(|i| [(i % 251) as u8, (i / 8) as u8, (i * 7 % 256) as u8]).collect();
+        let forward: Vec<Rgb> =
+            (0..2000_u32).map(|i| [i % 251, i / 8 % 256, i * 7 % 256].map(|c| u8::try_from(c).unwrap())).collect();
         let mut backward = forward.clone();
         backward.reverse();
         let colours = |list: Vec<Rgb>| {

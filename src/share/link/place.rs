@@ -42,7 +42,11 @@ impl EventPlace {
         let (event, alike) = nearest(tree, self);
         let now = tree.events.get(event as usize).map(|event| row(event).label).unwrap_or_default();
         let what = self.path.last().map_or_else(|| "event".to_owned(), |kind| format!("event ({kind})"));
-        let how = if alike { "the nearest of its kind is shown" } else { "there is none of its kind at that place any more; the nearest one is shown" };
+        let how = if alike {
+            "the nearest of its kind is shown"
+        } else {
+            "there is none of its kind at that place any more; the nearest one is shown"
+        };
         let notice = format!(
             "the link's {what} {} is not where it was, because the scene or the program has changed since: {how}, {event}, “{now}”",
             self.number

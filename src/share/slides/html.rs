@@ -119,8 +119,8 @@ fn working(page: &mut String, line: &DetailLine) {
         }
         DetailLine::Table { title, headers, rows } => {
             let cells = |tag: &str, cells: &mut dyn Iterator<Item = &str>| {
-                let cells: String = cells.map(|cell| format!("<{tag}>{}</{tag}>", escaped(cell))).collect();
-                format!("<tr>{cells}</tr>")
+                let cells: Vec<String> = cells.map(|cell| format!("<{tag}>{}</{tag}>", escaped(cell))).collect();
+                format!("<tr>{}</tr>", cells.concat())
             };
             let head = cells("th", &mut headers.iter().copied());
             let body: String = rows.iter().map(|row| cells("td", &mut row.iter().map(String::as_str))).collect();

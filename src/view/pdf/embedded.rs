@@ -129,7 +129,7 @@ impl Document {
     pub fn font(&mut self, used: &UsedFont) -> Ref {
         let [id, descendant, descriptor] = std::array::from_fn(|_| self.new_ref());
         let base = used.base_name();
-        let unicode = self.to_unicode(used);
+        let unicode = self.unicode_map(used);
         let mut font = self.pdf.type0_font(id);
         font.base_font(Name(base.as_bytes())).encoding_predefined(Name(b"Identity-H"));
         font.descendant_font(descendant).to_unicode(unicode);
@@ -141,7 +141,7 @@ impl Document {
     }
 
     /// From codes to characters.
-    fn to_unicode(&mut self, used: &UsedFont) -> Ref {
+    fn unicode_map(&mut self, used: &UsedFont) -> Ref {
         let mut map = UnicodeCmap::new(Name(b"Custom"), SYSTEM);
         for (code, (character, _)) in (1..=u16::MAX).zip(&used.letters) {
             map.pair(code, *character);

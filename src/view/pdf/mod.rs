@@ -32,7 +32,7 @@ pub fn pdf(title: &str, drawings: &[Drawing]) -> Vec<u8> {
     let mut figures = Vec::new();
     for (drawing, content) in drawings.iter().zip(&contents) {
         let (page, figure) = (document.new_ref(), document.new_ref());
-        let place = Page { page, figure, pages, tree, resources, key: kids.len() };
+        let place = Page { own: page, figure, pages, tree, resources, key: kids.len() };
         document.page(&place, drawing, content);
         kids.push(page);
         figures.push(figure);
@@ -49,7 +49,7 @@ fn number(count: usize) -> i32 {
 
 /// The objects that a page hangs together with.
 struct Page {
-    page: Ref,
+    own: Ref,
     figure: Ref,
     pages: Ref,
     tree: Ref,
@@ -113,13 +113,13 @@ impl Document {
 
     fn page(&mut self, place: &Page, drawing: &Drawing, content: &PageContent) {
         let stream = self.stream(&content.bytes);
-        let mut page = self.pdf.page(place.page);
+        let mut page = self.pdf.page(place.own);
         page.parent(place.pages).contents(stream).struct_parents(number(place.key));
         page.media_box(Rect::new(0.0, 0.0, content::narrow(drawing.width), content::narrow(drawing.height)));
         page.pair(Name(b"Resources"), place.resources);
         page.finish();
         let mut figure = self.pdf.struct_element(place.figure);
-        figure.kind(StructRole::Figure).parent(place.tree).page(place.page);
+        figure.kind(StructRole::Figure).parent(place.tree).page(place.own);
         figure.alt(TextStr(&drawing.in_words()));
         figure.children().marked_content_ref().marked_content_id(content::FIGURE);
     }

@@ -59,7 +59,7 @@ fn of_candidates(case: Case, guesses: &mut Vec<Guess>) {
     for object in case.ours.of(case.check.ray).filter(|event| matches!(event.what, What::Object { .. })) {
         let node = case.ours.combined(object.id);
         let is_cut_away =
-            |t: f64| node.is_some_and(|node| !intervals(node.combined).into_iter().flatten().any(|end| end == t));
+            |t: f64| node.is_some_and(|node| !intervals(node.result).into_iter().flatten().any(|end| end == t));
         for (primitive, name) in case.ours.primitives(object.id) {
             let Some((_, candidates)) = case.ours.candidates(primitive.id) else { continue };
             let is_told = case.agrees(case.check.ray, |subject| subject == Subject::Hits(primitive.id));
@@ -140,7 +140,7 @@ fn asked(case: Case, object: EventId) -> Asked {
     let (right, wrong) = match (case.ours.combined(object), case.ours.primitives(object).next()) {
         (Some(node), _) => {
             let wrong = wrong_intervals(case, object).into_iter().map(|(cause, _, spans)| (cause, flat(spans)));
-            (flat(intervals(node.combined)), wrong.collect::<Vec<_>>())
+            (flat(intervals(node.result)), wrong.collect::<Vec<_>>())
         }
         (None, Some((primitive, _))) => {
             let wrong = wrong_times(case, primitive.id).into_iter().map(|(cause, _, times)| (cause, times));

@@ -175,7 +175,7 @@ pub(super) fn explain(case: Case) -> Vec<Explanation> {
         Subject::Written => colour::of_written(case, &mut guesses),
         Subject::HitObject | Subject::HitLeaf | Subject::Lit(_) | Subject::BlockedBy(_) | Subject::ExtraRay => {}
     }
-    explanations.extend(guesses.into_iter().filter_map(|guess| tried(case.check, guess)));
+    explanations.extend(guesses.iter().filter_map(|guess| tried(case.check, guess)));
     ranked(explanations)
 }
 
@@ -201,7 +201,7 @@ fn of_direction(case: Case, guesses: &mut Vec<Guess>) {
 }
 
 /// The guess as an explanation, if it gives the foreign number.
-fn tried(check: &Check, guess: Guess) -> Option<Explanation> {
+fn tried(check: &Check, guess: &Guess) -> Option<Explanation> {
     let theirs = check.numbers();
     let lengths_count = !check.subject.is_direction();
     let off =
