@@ -79,7 +79,7 @@ fn a_method_tells_its_story_from_the_first_event_that_is_not_as_it_should_be() {
     let recording = workbench(&bench).recording().expect("a pixel is recorded");
     assert_eq!((recording.pixel, recording.by), (pixel, Some(Method::Textbook)));
     assert_eq!(recording.selected(), expected.event);
-    assert!(bench.query_by_label_contains("by textbook · step ").is_some());
+    assert!(bench.query_by_label_contains("by textbook · ").is_some());
 }
 
 #[test]

@@ -151,7 +151,7 @@ const CRATES: &[(&[&str], &[&str])] = &[
             "src/app/pane.rs",
         ],
     ),
-    (&["jsonc_parser"], &["src/scene/", "src/document/"]),
+    (&["jsonc_parser"], &["src/scene/"]),
     (&["include_dir"], &["src/scene/"]),
     (&["fluent_bundle"], &["src/words/"]),
     (&["pdf_writer", "subsetter"], &["src/view/pdf.rs", "src/view/pdf/"]),

@@ -113,7 +113,7 @@ const PLANTED: [(Bug, &str, &str); 33] = [
     (Bug::NormalNotFlipped, "the normal that shading uses", "normal-not-flipped"),
     (Bug::OperandNormal, "the normal out of the solid", "operand-normal"),
     (Bug::FarRoot, "t", "far-root"),
-    (Bug::NegativeT, "t", "negative-t"),
+    (Bug::NegativeT, "the object that is hit", "negative-t"),
     (Bug::SelfHit, "t", "self-hit"),
     (Bug::ShadowAcne, "whether light arrives", "self-hit"),
     (Bug::ShadowIgnored, "the diffuse term", "shadow-ignored"),
@@ -150,11 +150,20 @@ fn with_bug(bug: Bug, prints: Prints, pixels: &[[u32; 2]]) -> Comparison {
     compare_foreign(&load(&text, name).unwrap(), &ForeignTrace::read(&lines).unwrap(), SHARE).unwrap()
 }
 
+/// Which object is hit, and when, is told by one event.
+fn event_of(subject: &str) -> &str {
+    match subject {
+        "the object that is hit" | "the primitive that is hit" => "t",
+        other => other,
+    }
+}
+
 /// Stories that depart, those of them that do so at the event, and those with the cause among the first two.
 fn found(bug: Bug, prints: Prints, subject: &str, cause: &str) -> [usize; 3] {
     let comparison = with_bug(bug, prints, &pixels(43));
     let departing: Vec<_> = comparison.stories.iter().filter_map(|story| story.departure.as_ref()).collect();
-    let at_event = departing.iter().filter(|departure| departure.check.subject.words() == subject).count();
+    let at_event =
+        departing.iter().filter(|departure| event_of(departure.check.subject.words()) == event_of(subject)).count();
     let explained =
         |departure: &&&ForeignDeparture| departure.causes.iter().take(2).any(|found| found.cause.id == cause);
     let right = departing.iter().filter(explained).count();

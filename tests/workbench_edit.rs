@@ -4,73 +4,15 @@
 mod hands;
 
 use egui::accesskit::Role;
-use egui::{Event, Key, Modifiers, PointerButton, Pos2, Vec2, ViewportCommand, ViewportEvent, ViewportId};
-use egui_kittest::kittest::Queryable;
+use egui::{Event, Key, Modifiers, Vec2, ViewportCommand, ViewportEvent, ViewportId};
+use egui_kittest::kittest::{NodeT, Queryable};
+use hands::editing::*;
 use hands::*;
 use rayscope::app::{EditCommand, Pane};
 use rayscope::document::{Document, Journal, Selection, Template, Write};
 use rayscope::record::What;
 use rayscope::scene::embedded_scene;
 use std::fs;
-
-const SIZE: Vec2 = Vec2::new(1600.0, 1000.0);
-
-fn open_editor<'a>(scene: &str) -> Bench<'a> {
-    let mut bench = open_at(scene, SIZE);
-    reveal(&mut bench, Pane::Editor);
-    bench
-}
-
-fn text(bench: &Bench) -> String {
-    workbench(bench).document().text().to_owned()
-}
-
-/// Puts the cursor before or behind a part of the text.
-fn put_cursor(bench: &mut Bench, part: &str, behind: bool) {
-    let at = text(bench).find(part).unwrap_or_else(|| panic!("no {part} in the text"));
-    workbench_mut(bench).put_cursor(if behind { at + part.len() } else { at });
-    settle(bench);
-}
-
-fn type_text(bench: &mut Bench, letters: &str) {
-    for letter in letters.chars() {
-        bench.event(Event::Text(letter.to_string()));
-        bench.step();
-    }
-    settle(bench);
-}
-
-fn follow(bench: &mut Bench) {
-    wait_until(bench, "the scene to follow its text", |bench| !workbench(bench).is_stale());
-    settle(bench);
-}
-
-fn camera_height(bench: &Bench) -> f64 {
-    workbench(bench).scene().expect("open").scene.camera.eye.z
-}
-
-fn shift(modifiers: Modifiers) -> Modifiers {
-    modifiers.plus(Modifiers::SHIFT)
-}
-
-/// Moves the pointer from one place to another with the button down, in a few steps.
-fn drag(bench: &mut Bench, from: Pos2, to: Pos2) {
-    bench.hover_at(from);
-    settle(bench);
-    bench.drag_at(from);
-    settle(bench);
-    for i in 1..=4_u8 {
-        bench.hover_at(from + (to - from) * (f32::from(i) / 4.0));
-        settle(bench);
-    }
-    bench.event(Event::PointerButton {
-        pos: to,
-        button: PointerButton::Primary,
-        pressed: false,
-        modifiers: Modifiers::default(),
-    });
-    settle(bench);
-}
 
 #[test]
 fn the_picture_and_the_story_follow_what_is_typed_and_the_selection_stays() {
@@ -273,6 +215,9 @@ fn another_shape_comes_with_its_own_parameters_and_one_undo_takes_it_back() {
     let before = text(&bench);
     put_cursor(&mut bench, "\"torus\"", false);
     reveal(&mut bench, Pane::Properties);
+    for node in bench.query_all_by_role(Role::ComboBox) {
+        println!("{:?} {:?}", node.accesskit_node().label(), node.accesskit_node().value());
+    }
     bench.get_by_role_and_label(Role::ComboBox, "shape").click();
     settle(&mut bench);
     bench.get_by_label("superellipsoid").click();

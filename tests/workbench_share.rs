@@ -131,6 +131,7 @@ fn the_story_is_copied_as_text_and_as_a_worked_example() {
     let commands = shared(&mut bench, ShareCommand::CopyText);
     let tree = &workbench(&bench).recording().unwrap().tree;
     assert!(commands.contains(&OutputCommand::CopyText(rayscope::view::tree_text(tree))));
+    settle(&mut bench);
     assert!(bench.query_by_label_contains("lines are on the clipboard").is_some());
     let commands = shared(&mut bench, ShareCommand::CopyMarkdown);
     // The copy before may still be among them.

@@ -175,6 +175,8 @@ fn a_new_breakpoint_is_a_question_and_what_is_none_is_explained() {
     bench.get_by_role_and_label(Role::Button, "Add").click();
     settle(&mut bench);
     assert!(workbench(&bench).stepping().breakpoints().any_enabled());
+    bench.get_by_role_and_label(Role::Button, "Remove hit").scroll_to_me();
+    settle(&mut bench);
     bench.get_by_role_and_label(Role::Button, "Remove hit").click();
     settle(&mut bench);
     assert!(!workbench(&bench).stepping().breakpoints().any_enabled());

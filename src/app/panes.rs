@@ -82,6 +82,9 @@ impl Workbench {
         if !self.dock.shows(Pane::Accuracy) {
             self.accuracy.pause();
         }
+        if !self.dock.shows(Pane::Search) {
+            self.search.pause();
+        }
         if !self.dock.shows(Pane::Effects) {
             self.effects.pause();
         }

@@ -13,6 +13,7 @@ use crate::app::effects::pane::EffectsPane;
 use crate::app::frame::file_dialog::FileDialog;
 use crate::app::frame::scene_menu::SceneMenu;
 use crate::app::frame::theme;
+use crate::app::frame::words::{say, say_with};
 use crate::app::help::Help;
 use crate::app::kept;
 use crate::app::pane::Pane;
@@ -150,7 +151,7 @@ impl Workbench {
         }
         match std::fs::read_to_string(path) {
             Ok(text) => self.open_text(ctx, name, &text),
-            Err(error) => self.refuse(name, format!("The file cannot be read: {error}.")),
+            Err(error) => self.refuse(name, unreadable(&self.ctx, &error.to_string())),
         }
     }
 
@@ -365,11 +366,15 @@ impl Workbench {
                     self.open_foreign(&name, &text);
                 }
                 Ok(Ok(text)) => self.open_text(ctx, &name, &text),
-                Ok(Err(_)) => self.refuse(&name, "The file is not text, so it is no scene.".to_owned()),
-                Err(error) => self.refuse(&name, format!("The file cannot be read: {error}.")),
+                Ok(Err(_)) => self.refuse(&name, say(ctx, "file-no-text")),
+                Err(error) => self.refuse(&name, unreadable(ctx, &error)),
             }
         }
     }
+}
+
+fn unreadable(ctx: &Context, error: &str) -> String {
+    say_with(ctx, "file-unreadable", &[("error", error.into())])
 }
 
 /// The scene for the first visit.

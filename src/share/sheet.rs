@@ -5,6 +5,7 @@ use super::figures::{Figure, figures_of};
 use super::lines::{SetLine, broken, set};
 use super::{Account, Steps};
 use crate::view::{Anchor, Colour, Drawing, Face, Form, Frame, Palette, Spot, Text, beneath, detail, equated, row};
+use std::fmt::Write as _;
 
 /// Width and height of a sheet in points: 16 by 9.
 pub const SHEET: [f64; 2] = [960.0, 540.0];
@@ -136,7 +137,10 @@ impl<'a> Sheet<'a> {
 
     /// `3 / 12` at the right.
     fn count(&mut self, at: Spot, size: f64) {
-        let text = format!("{} / {}", self.place + 1, self.steps.events.len());
+        let mut text = format!("{} / {}", self.place + 1, self.steps.events.len());
+        if self.steps.left_out > 0 {
+            let _ = write!(text, ", {} more left out", self.steps.left_out);
+        }
         let colour = self.palette.faint;
         let text = Text { at, text, anchor: Anchor::End, size, colour, face: Face::Sans, halo: None };
         self.drawing.put(Form::Text(text), None);
@@ -157,7 +161,7 @@ impl<'a> Sheet<'a> {
         let row = row(event);
         let ground = Frame { low: [0.0, SHEET[1] - CAPTION], high: SHEET };
         self.drawing.put(Form::Rect { frame: ground, fill: Some(self.palette.panel), stroke: None }, None);
-        let width = SHEET[0] - 2.0 * MARGIN - 90.0;
+        let width = SHEET[0] - 2.0 * MARGIN - if self.steps.left_out > 0 { 220.0 } else { 90.0 };
         let first = |text: &str, size, face| broken(text, width, size, face).into_iter().next().unwrap_or_default();
         let title = first(&format!("{} {}", row.icon, detail(event).title), 18.0, Face::Bold);
         self.put(title, [MARGIN, SHEET[1] - CAPTION + 26.0], 18.0, self.palette.ink, Face::Bold);

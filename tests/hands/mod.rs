@@ -1,6 +1,8 @@
 //! Hands for the workbench: opening it, pressing keys, clicking, and finding things by the names that a screen reader reads out.
 #![allow(dead_code, reason = "each test file uses some of them")]
 
+pub mod editing;
+
 use egui::accesskit::Role;
 use egui::{Event, Key, PointerButton, Pos2, Vec2};
 use egui_kittest::Harness;

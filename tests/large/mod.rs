@@ -9,19 +9,19 @@ use rayscope::scene::{embedded_scene, load};
 use rayscope::trace::record_pixel;
 use std::time::{Duration, Instant};
 
-/// The fishbowl, whose glass and water send two rays wherever one meets them, with so deep a tree that its telling pixel records
-/// at least so many events.
+/// The fishbowl, whose glass and water send two rays wherever one meets them, with so many samples of a pixel that its telling
+/// pixel records at least so many events.
 pub fn fishbowl_with(events: usize) -> String {
     let text = embedded_scene("optics/fishbowl").expect("the scene is embedded").text;
-    let limits = "\"limits\": { \"depth\": 10, \"contribution\": 0.01 }";
+    let limits = "\"limits\":";
     assert!(text.contains(limits), "the scene's limits are written in another way");
-    let deepened = (1..=40)
-        .map(|depth| text.replace(limits, &format!("\"limits\": {{ \"depth\": {depth}, \"contribution\": 0.00001 }}")));
+    let sampled = (0..12)
+        .map(|power| text.replace(limits, &format!("\"sampling\": {{ \"samples\": {} }},\n  {limits}", 1 << power)));
     let is_enough = |text: &String| {
         let scene = load(text, "fishbowl").expect("only a limit was changed");
         record_pixel(&scene, scene.pixels[0][0], scene.pixels[0][1]).events.len() >= events
     };
-    deepened.into_iter().find(is_enough).expect("some depth is enough")
+    sampled.into_iter().find(is_enough).expect("so many samples are enough")
 }
 
 /// What one frame took on the thread that shows it, in milliseconds of its own working time.

@@ -107,3 +107,5 @@ view-reduced-motion-about = Nichts blendet, gleitet oder rollt von selbst.
 
 problem-title = { $name } lässt sich nicht öffnen.
 problem-stays = { $name } bleibt geöffnet.
+file-unreadable = Die Datei lässt sich nicht lesen: { $error }.
+file-no-text = Die Datei ist kein Text und damit keine Szene.

@@ -107,3 +107,5 @@ view-reduced-motion-about = Nothing fades, slides or scrolls by itself.
 
 problem-title = { $name } cannot be opened.
 problem-stays = { $name } stays open.
+file-unreadable = The file cannot be read: { $error }.
+file-no-text = The file is not text, so it is no scene.

@@ -54,7 +54,7 @@ impl Commands for SearchCommand {
 
     fn key(self) -> Option<KeyboardShortcut> {
         match self {
-            Self::Find => Some(KeyboardShortcut::new(Modifiers::COMMAND, Key::F)),
+            Self::Find => Some(KeyboardShortcut::new(Modifiers::COMMAND.plus(Modifiers::SHIFT), Key::F)),
             Self::Next => Some(KeyboardShortcut::new(Modifiers::NONE, Key::F3)),
             Self::Previous => Some(KeyboardShortcut::new(Modifiers::SHIFT, Key::F3)),
             Self::Clear | Self::Map(_) | Self::NoMap => None,

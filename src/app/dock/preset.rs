@@ -54,8 +54,8 @@ impl Preset {
         let mut plan = Plan::default();
         let root = match self {
             Self::Learn => {
-                let left = plan.below(0.5, &[Picture], &[Side, Overview, Search]);
-                let right = plan.below(0.48, &[Detail, Properties], &[Along]);
+                let left = plan.below(0.5, &[Picture], &[Side, Overview]);
+                let right = plan.below(0.48, &[Detail, Properties, Compare], &[Along]);
                 let middle = plan.tabs(&[Story, Editor]);
                 let reading = plan.split(LinearDir::Horizontal, 0.52, middle, right);
                 plan.split(LinearDir::Horizontal, 0.35, left, reading)

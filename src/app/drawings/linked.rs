@@ -1,7 +1,7 @@
 //! Drawings of the selected event that are no more than that: looked at, clicked, described.
 
 use super::canvas::Canvas;
-use super::seen::{REACH, Seen, describe, focus_ring, size_of};
+use super::seen::{REACH, Seen, choice, describe, focus_ring, size_of};
 use crate::app::frame::empty::empty;
 use crate::app::frame::words::say;
 use crate::app::story::recording::Recording;
@@ -146,14 +146,8 @@ impl LinkedPane {
     pub fn tools(&mut self, ui: &mut Ui) {
         match self.what {
             Linked::Generic => {
-                for (look, word) in [(GenericLook::Space, "drawings-space"), (GenericLook::Section, "drawings-section")]
-                {
-                    let about = say(ui.ctx(), &format!("{word}-about"));
-                    let label = ui.selectable_label(self.look == look, say(ui.ctx(), word));
-                    if label.on_hover_text(about).clicked() {
-                        self.look = look;
-                    }
-                }
+                let looks = [(GenericLook::Section, "drawings-section"), (GenericLook::Space, "drawings-space")];
+                choice(ui, &mut self.look, &looks);
             }
             Linked::Planes => {
                 let all = ui.add_enabled(self.row.is_some(), egui::Button::new(say(ui.ctx(), "drawings-all-rows")));

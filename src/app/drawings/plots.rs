@@ -2,14 +2,16 @@
 //! all for the selected event.
 
 use crate::app::drawings::canvas::Canvas;
+use crate::app::drawings::seen::describe;
 use crate::app::frame::empty::empty;
 use crate::app::frame::theme::drawing_theme;
+use crate::app::frame::words::say;
 use crate::app::story::recording::Recording;
 use crate::record::EventId;
 use crate::scene::Scene;
 use crate::trace::RayTree;
 use crate::view::{Drawing, Theme, event_plot, probed_interval_bars, probed_sign_plot};
-use egui::{Color32, Pos2, Rect, Role, Sense, Ui, Vec2, WidgetInfo, pos2};
+use egui::{Color32, Pos2, Rect, Sense, Ui, Vec2, pos2};
 use std::sync::Arc;
 
 /// How far from a mark a click still counts, in points. Less makes thin lines hard to hit.
@@ -28,11 +30,12 @@ enum Plot {
 }
 
 impl Plot {
-    const fn name(self) -> &'static str {
+    /// Its name in the catalogue of words.
+    const fn word(self) -> &'static str {
         match self {
-            Self::Bars => "Interval bars",
-            Self::Signs => "Sign plot of d(t)",
-            Self::Event => "What happened",
+            Self::Bars => "drawings-bars",
+            Self::Signs => "drawings-sign-plot",
+            Self::Event => "drawings-event",
         }
     }
 
@@ -79,10 +82,9 @@ pub struct PlotsPanel {
 impl PlotsPanel {
     /// Shows what there is to plot of the selected event; returns the event whose mark was clicked.
     pub fn ui(&mut self, ui: &mut Ui, recording: Option<&Recording>) -> Option<EventId> {
-        let nothing = "Select a CSG node to see its intervals, a primitive to see d(t) along the ray, a texture to see how \
-                       its colour came about, or a lens, a wavelength or a medium to see what it does to the ray.";
+        let nothing = "drawings-along-none";
         let Some(recording) = recording else {
-            empty(ui, nothing);
+            empty(ui, &say(ui.ctx(), nothing));
             return None;
         };
         let whole = ui.available_rect_before_wrap();
@@ -98,7 +100,7 @@ impl PlotsPanel {
             ui.ctx().request_repaint();
         }
         if present == [false; 3] {
-            empty(ui, nothing);
+            empty(ui, &say(ui.ctx(), nothing));
         }
         bars.clicked.or(signs.clicked).or(event.clicked)
     }
@@ -148,9 +150,8 @@ fn show(ui: &Ui, canvas: &mut Canvas<Key>, plot: Plot, recording: &Recording, se
     let Some(shown) = canvas.update(ui.ctx(), &key, move || plot.draw(&wanted)) else { return outcome };
     let (Some(texture), Some(drawing)) = (&shown.texture, &shown.drawing) else { return outcome };
     outcome.present = true;
-    let response = ui.interact(rect, ui.scope_id().with(plot.name()), Sense::click());
-    response.widget_info(|| WidgetInfo::labeled(Role::Image, true, plot.name()));
-    ui.ctx().accesskit_node_builder(response.id, |node| node.set_description(drawing.in_words().into_owned()));
+    let response = ui.interact(rect, ui.scope_id().with(plot.word()), Sense::click());
+    describe(ui, &response, plot.word(), drawing);
     let place = Rect::from_min_size(inside.min, Vec2::from(shown.key.size.map(|points| points as f32)));
     let unit_square = Rect::from_min_max(Pos2::ZERO, pos2(1.0, 1.0));
     ui.painter_at(rect).image(texture.id(), place, unit_square, Color32::WHITE);

@@ -75,6 +75,21 @@ pub fn describe(ui: &Ui, response: &Response, word: &str, drawing: &Drawing) {
     ui.ctx().accesskit_node_builder(response.id, |node| node.set_description(drawing.in_words().into_owned()));
 }
 
+/// A menu with what can be chosen, named in the catalogue of words, under the name of what is chosen. Buttons beside each other would
+/// leave no room for the tabs of a header.
+pub fn choice<T: Copy + PartialEq>(ui: &mut Ui, chosen: &mut T, choices: &[(T, &str)]) {
+    let word = choices.iter().find(|(value, _)| value == chosen).map_or("", |(_, word)| word);
+    ui.menu_button(format!("{}  ⏷", say(ui.ctx(), word)), |ui| {
+        for &(value, word) in choices {
+            let about = say(ui.ctx(), &format!("{word}-about"));
+            if ui.selectable_label(*chosen == value, say(ui.ctx(), word)).on_hover_text(about).clicked() {
+                *chosen = value;
+                ui.close();
+            }
+        }
+    });
+}
+
 /// Shows where the keys go.
 pub fn focus_ring(ui: &Ui, response: &Response) {
     if response.has_focus() {

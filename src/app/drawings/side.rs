@@ -1,9 +1,10 @@
 //! The side view: the scene cut open along the ray, with everything up to the selected event drawn in.
 
 use crate::app::drawings::canvas::Canvas;
-use crate::app::drawings::seen::describe;
+use crate::app::drawings::seen::{choice, describe};
 use crate::app::frame::empty::empty;
 use crate::app::frame::theme::drawing_theme;
+use crate::app::frame::words::say;
 use crate::app::story::recording::Recording;
 use crate::record::EventId;
 use crate::scene::Scene;
@@ -99,34 +100,24 @@ impl SidePanel {
     /// The choice of the plane and the zoom, for the panel's header (right to left).
     pub fn tools(&mut self, ui: &mut Ui) {
         let fitted = self.sight == Sight::WHOLE;
-        let fit = ui.add_enabled(!fitted, egui::Button::new("Fit"));
-        if fit.on_hover_text("Show the whole scene again. Drag to move, turn the wheel to zoom.").clicked() {
+        let fit = ui.add_enabled(!fitted, egui::Button::new(say(ui.ctx(), "drawings-fit")));
+        if fit.on_hover_text(say(ui.ctx(), "drawings-side-fit-about")).clicked() {
             self.fit();
         }
-        let planes = [
-            (
-                SectionPlane::Incidence,
-                "Incidence",
-                "Cut in the plane of incidence: along the ray and the normal of the selected hit.",
-            ),
-            (SectionPlane::RayAndUp, "Ray and up", "Cut along the ray and the camera's upward direction."),
-        ];
-        for (plane, name, tip) in planes {
-            if ui.selectable_label(self.plane == plane, name).on_hover_text(tip).clicked() {
-                self.plane = plane;
-            }
-        }
+        let planes = [(SectionPlane::RayAndUp, "drawings-ray-and-up"), (SectionPlane::Incidence, "drawings-incidence")];
+        choice(ui, &mut self.plane, &planes);
     }
 
     /// Shows the drawing; returns the event whose mark was clicked.
     pub fn ui(&mut self, ui: &mut Ui, scene: &Arc<Scene>, recording: Option<&Recording>) -> Option<EventId> {
         let Some(recording) = recording else {
-            empty(ui, "Click a pixel, and the scene is cut open along its ray.");
+            empty(ui, &say(ui.ctx(), "drawings-side-none"));
             return None;
         };
         let rect = ui.available_rect_before_wrap();
         let response = ui.interact(rect, ui.scope_id().with("side view"), Sense::click_and_drag());
-        response.widget_info(|| WidgetInfo::labeled(Role::Image, true, "Side view"));
+        let title = say(ui.ctx(), "pane-side");
+        response.widget_info(|| WidgetInfo::labeled(Role::Image, true, &title));
         let response = response.on_hover_and_drag_cursor(CursorIcon::Grab);
         self.pan_and_zoom(ui, &response, rect);
         let key = self.key(ui, scene, recording, rect);

@@ -4,10 +4,13 @@ use super::Outcome;
 use crate::app::command::Command;
 use crate::app::frame::theme::bold;
 use crate::app::frame::words::say;
-use egui::{Grid, Id, Modal, RichText, ScrollArea, Ui};
+use egui::{Grid, Id, Label, Modal, RichText, ScrollArea, Ui};
 
 /// Width of the table, in points.
 const WIDTH: f32 = 620.0;
+
+/// Width of the column of keys, in points.
+const KEYS: f32 = 150.0;
 
 /// Keys that mean something within a panel: the panel, the keys as they are written, what they do.
 const WITHIN: &[(&str, &str)] = &[
@@ -22,16 +25,22 @@ const WITHIN: &[(&str, &str)] = &[
 /// Shows the table.
 pub fn ui(ui: &Ui) -> Outcome {
     let mut closed = false;
+    let room = ui.ctx().content_rect();
+    let width = WIDTH.min(room.width() - 60.0);
     let modal = Modal::new(Id::unique("keys")).show(ui.ctx(), |ui| {
-        let room = ui.ctx().content_rect();
-        ui.set_width(WIDTH.min(room.width() - 60.0));
+        ui.set_width(width);
         ui.horizontal(|ui| {
             ui.label(RichText::new(say(ui.ctx(), "help-keys")).size(17.0).family(bold()));
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
                 closed = ui.button(say(ui.ctx(), "close")).clicked();
             });
         });
-        ScrollArea::vertical().max_height(room.height() - 120.0).auto_shrink([false, true]).show(ui, table);
+        let height = room.height() - 120.0;
+        ScrollArea::vertical()
+            .max_height(height)
+            .min_scrolled_height(height)
+            .auto_shrink([false, true])
+            .show(ui, table);
     });
     if closed || modal.should_close() { Outcome::Close } else { Outcome::Stay }
 }
@@ -43,22 +52,27 @@ fn table(ui: &mut Ui) {
             continue;
         }
         heading(ui, menu);
-        Grid::new(menu).num_columns(2).striped(true).min_col_width(130.0).show(ui, |ui| {
+        Grid::new(menu).num_columns(2).striped(true).min_col_width(KEYS).show(ui, |ui| {
             for (command, key) in keyed {
                 ui.label(RichText::new(ui.ctx().format_shortcut(&key)).monospace());
-                ui.label(say(ui.ctx(), &format!("{}-about", command.word())));
+                meaning(ui, &format!("{}-about", command.word()));
                 ui.end_row();
             }
         });
     }
     heading(ui, "keys-within");
-    Grid::new("keys within panels").num_columns(2).striped(true).min_col_width(130.0).show(ui, |ui| {
-        for (keys, meaning) in WITHIN {
+    Grid::new("keys within panels").num_columns(2).striped(true).min_col_width(KEYS).show(ui, |ui| {
+        for (keys, about) in WITHIN {
             ui.label(RichText::new(say(ui.ctx(), keys)).monospace());
-            ui.label(say(ui.ctx(), meaning));
+            meaning(ui, about);
             ui.end_row();
         }
     });
+}
+
+fn meaning(ui: &mut Ui, word: &str) {
+    ui.set_max_width(WIDTH - KEYS - 40.0);
+    ui.add(Label::new(say(ui.ctx(), word)).wrap());
 }
 
 fn heading(ui: &mut Ui, word: &str) {

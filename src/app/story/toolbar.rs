@@ -3,6 +3,7 @@
 use super::icon::{Icon, draw};
 use super::stepping::Drawer;
 use crate::app::command::{Command, Commands, StepCommand};
+use crate::app::dock::Preset;
 use crate::app::frame::theme::Palette;
 use crate::app::frame::words::{say, say_with};
 use crate::app::story::recording::Recording;
@@ -34,9 +35,15 @@ const BUTTONS: [StepCommand; 10] = [
     StepCommand::Move(Step::NextStop),
 ];
 
-/// Shows both lines, and does what is chosen.
+/// Shows both lines, or the upper one alone where everything is large, and does what is chosen.
 pub fn ui(ui: &mut Ui, workbench: &mut Workbench) {
     let mut chosen = moves(ui, workbench);
+    if workbench.dock.preset() == Preset::Present {
+        if let Some(command) = chosen {
+            workbench.run(Command::Step(command));
+        }
+        return;
+    }
     ui.add_space(2.0);
     let mut kind = None;
     ui.horizontal_wrapped(|ui| {

@@ -89,10 +89,13 @@ fn every_point_of_every_scene_lies_on_its_object() {
         for line in wires.lines.iter().filter(|line| !line.is_crease) {
             let membership = Membership::of(&scene.objects[line.object].solid);
             for point in line.points.iter().step_by(5) {
-                // |F| / |∇F| is how far the point lies off the surface: at most a millionth of the leaf's size.
+                // |F| / |∇F| is how far the point lies off the surface: at most a millionth of the leaf's size, and where the
+                // leaf is hardly larger than the spacing of numbers around it, a few of their last places.
                 let lies_on = |leaf: usize| {
-                    let slope = membership.gradient(leaf, *point).length() * membership.scale(leaf);
-                    membership.value(leaf, *point).abs() <= 1e-6 * slope.max(1.0)
+                    let scale = membership.scale(leaf);
+                    let slope = (membership.gradient(leaf, *point).length() * scale).max(2.0);
+                    let last_places = 4.0 * f64::EPSILON * point.length() / scale;
+                    membership.value(leaf, *point).abs() <= (1e-6 + last_places) * slope
                 };
                 let count = membership.solid.leaves.len();
                 assert!((0..count).any(lies_on), "{}: {point} lies on no surface", embedded.name);

@@ -1,0 +1,59 @@
+//! What the interface says comes from the catalogue, and all that is in the catalogue is said.
+#![cfg(feature = "workbench")]
+
+use rayscope::words::{Language, known};
+use std::fs;
+use std::path::Path;
+
+fn sources(folder: &Path, texts: &mut Vec<(String, String)>) {
+    let mut paths: Vec<_> = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
+    paths.sort();
+    for path in paths {
+        if path.is_dir() {
+            sources(&path, texts);
+        } else {
+            texts.push((path.display().to_string(), fs::read_to_string(&path).unwrap()));
+        }
+    }
+}
+
+fn app() -> Vec<(String, String)> {
+    let mut texts = Vec::new();
+    sources(&Path::new(env!("CARGO_MANIFEST_DIR")).join("src/app"), &mut texts);
+    texts
+}
+
+#[test]
+fn every_message_is_said_somewhere() {
+    let app = app();
+    let unsaid: Vec<_> = known(Language::English)
+        .into_iter()
+        .filter(|id| {
+            // What a thing is about is asked for by the thing's name.
+            let name = format!("\"{}\"", id.strip_suffix("-about").unwrap_or(id));
+            let whole = format!("\"{id}\"");
+            !app.iter().any(|(_, text)| text.contains(&name) || text.contains(&whole))
+        })
+        .collect();
+    assert!(unsaid.is_empty(), "{unsaid:?}");
+}
+
+#[test]
+fn no_control_has_words_of_its_own() {
+    let shown =
+        ["button(\"", "label(\"", "hover_text(\"", "Button::new(\"", "RichText::new(\"", "heading(\"", "empty(ui, \""];
+    let mut own = Vec::new();
+    for (path, text) in app() {
+        for (number, line) in text.lines().enumerate() {
+            let words = shown.iter().filter_map(|begin| line.split_once(begin)).map(|(_, rest)| rest);
+            for rest in words {
+                let is_sentence = rest.starts_with(char::is_alphabetic);
+                let is_name = line.contains("\"rayscope\"");
+                if is_sentence && !is_name {
+                    own.push(format!("{path}:{}: {}", number + 1, line.trim()));
+                }
+            }
+        }
+    }
+    assert!(own.is_empty(), "these belong in assets/words:\n{}", own.join("\n"));
+}
