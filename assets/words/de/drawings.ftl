@@ -31,3 +31,4 @@ drawings-bars = Intervallbalken
 drawings-sign-plot = Vorzeichen von d(t)
 drawings-event = Was geschah
 drawings-along-none = Einen CSG-Knoten wählen, um seine Intervalle zu sehen, einen Grundkörper für d(t) entlang des Strahls, eine Textur für die Herkunft ihrer Farbe oder eine Linse, eine Wellenlänge oder ein Medium dafür, was sie mit dem Strahl machen.
+drawings-look = Blick  ⏷

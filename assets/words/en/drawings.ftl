@@ -31,3 +31,4 @@ drawings-bars = Interval bars
 drawings-sign-plot = Sign plot of d(t)
 drawings-event = What happened
 drawings-along-none = Select a CSG node to see its intervals, a primitive to see d(t) along the ray, a texture to see how its colour came about, or a lens, a wavelength or a medium to see what it does to the ray.
+drawings-look = Look  ⏷

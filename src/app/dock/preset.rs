@@ -63,9 +63,7 @@ impl Preset {
             Self::Inspect => {
                 let left = plan.below(0.48, &[Picture], &[Side, Overview, Compare, Search]);
                 let middle = plan.below(0.62, &[Story, Editor], &[Detail, Properties]);
-                let upper = plan.below(0.5, &[Generic, Snell, Shading], &[Intervals, Planes]);
-                let lower = plan.tabs(&[Signs, Along]);
-                let right = plan.split(LinearDir::Vertical, 0.66, upper, lower);
+                let right = plan.below(0.5, &[Generic, Snell, Shading], &[Intervals, Signs, Planes, Along]);
                 let reading = plan.split(LinearDir::Horizontal, 0.5, middle, right);
                 plan.split(LinearDir::Horizontal, 0.33, left, reading)
             }

@@ -145,14 +145,17 @@ impl OverviewPane {
         if fit.on_hover_text(say(ui.ctx(), "drawings-overview-fit-about")).clicked() {
             self.view = View::default();
         }
-        let camera = ui.selectable_label(self.view.is_camera, say(ui.ctx(), "drawings-camera"));
-        if camera.on_hover_text(say(ui.ctx(), "drawings-camera-about")).clicked() {
-            let is_camera = !self.view.is_camera;
-            self.view = View { is_camera, zoom: 1.0, pan: [0.0; 2], ..self.view };
-        }
-        let parallel = ui.selectable_label(!self.view.is_perspective, say(ui.ctx(), "drawings-parallel"));
-        if parallel.on_hover_text(say(ui.ctx(), "drawings-parallel-about")).clicked() {
-            self.view.is_perspective ^= true;
-        }
+        ui.menu_button(say(ui.ctx(), "drawings-look"), |ui| {
+            let mut is_camera = self.view.is_camera;
+            let camera = ui.checkbox(&mut is_camera, say(ui.ctx(), "drawings-camera"));
+            if camera.on_hover_text(say(ui.ctx(), "drawings-camera-about")).changed() {
+                self.view = View { is_camera, zoom: 1.0, pan: [0.0; 2], ..self.view };
+            }
+            let mut is_parallel = !self.view.is_perspective;
+            let parallel = ui.checkbox(&mut is_parallel, say(ui.ctx(), "drawings-parallel"));
+            if parallel.on_hover_text(say(ui.ctx(), "drawings-parallel-about")).changed() {
+                self.view.is_perspective = !is_parallel;
+            }
+        });
     }
 }
