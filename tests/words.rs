@@ -5,6 +5,9 @@ use rayscope::words::{Language, known};
 use std::fs;
 use std::path::Path;
 
+/// Names that the program puts together: the kinds of lights, and the channels of colours.
+const MADE: [&str; 4] = ["edit-light-", "edit-red", "edit-green", "edit-blue"];
+
 fn sources(folder: &Path, texts: &mut Vec<(String, String)>) {
     let mut paths: Vec<_> = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
     paths.sort();
@@ -32,7 +35,8 @@ fn every_message_is_said_somewhere() {
             // What a thing is about is asked for by the thing's name.
             let name = format!("\"{}\"", id.strip_suffix("-about").unwrap_or(id));
             let whole = format!("\"{id}\"");
-            !app.iter().any(|(_, text)| text.contains(&name) || text.contains(&whole))
+            let is_made = MADE.iter().any(|begin| id.starts_with(begin));
+            !is_made && !app.iter().any(|(_, text)| text.contains(&name) || text.contains(&whole))
         })
         .collect();
     assert!(unsaid.is_empty(), "{unsaid:?}");

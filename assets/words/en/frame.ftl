@@ -59,10 +59,6 @@ pane-accuracy = Accuracy
 pane-accuracy-about = What accuracy costs in time, of this image and of this ray.
 pane-effects = Effects
 pane-effects-about = What the scene calls for, and what each effect costs.
-pane-hidden-rows = { $count ->
-    [one] { $count } row is hidden
-   *[other] { $count } rows are hidden
-}
 
 view-reset-layout = Reset this layout
 view-reset-layout-about = Put the panels of this layout back to where they were at first.
@@ -95,7 +91,6 @@ theme-light = Theme: light
 theme-light-about = Dark on light.
 theme-dark = Theme: dark
 theme-dark-about = Light on dark.
-language-menu = Language
 language-english = Language: English
 language-english-about = Show the interface in English.
 language-german = Sprache: Deutsch

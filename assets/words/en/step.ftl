@@ -88,7 +88,6 @@ step-breakpoint-new = New breakpoint
 step-breakpoint-hint = a question, such as object=lens & csg.early_out
 step-breakpoint-add = Add
 step-breakpoint-remove = Remove { $name }
-step-breakpoint-problem = Column { $column }: { $problem }
 step-until = Find the next pixel that stops
 step-until-about = Go through the pixels after this one to the first in whose story a breakpoint stops.
 step-until-searching = { $count ->
