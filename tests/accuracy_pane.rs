@@ -6,7 +6,7 @@ mod hands;
 use egui::accesskit::Role;
 use egui_kittest::kittest::Queryable;
 use hands::{Bench, reveal, settle, wait_until, workbench};
-use rayscope::app::Pane;
+use rayscope::app::{Pane, Preset, ViewCommand};
 use rayscope::laboratory::{Target, this_ray};
 use rayscope::scene::embedded_scene;
 use rayscope::shape::Method;
@@ -14,7 +14,7 @@ use rayscope::shape::Method;
 /// The workbench with a scene open, and what its accuracy costs.
 fn open<'a>(scene: &str) -> Bench<'a> {
     let mut bench = hands::open(scene);
-    reveal(&mut bench, Pane::Accuracy);
+    hands::run(&mut bench, ViewCommand::Layout(Preset::Measure));
     bench
 }
 
@@ -79,6 +79,7 @@ fn a_method_tells_its_story_from_the_first_event_that_is_not_as_it_should_be() {
     let recording = workbench(&bench).recording().expect("a pixel is recorded");
     assert_eq!((recording.pixel, recording.by), (pixel, Some(Method::Textbook)));
     assert_eq!(recording.selected(), expected.event);
+    reveal(&mut bench, Pane::Story);
     assert!(bench.query_by_label_contains("by textbook · ").is_some());
 }
 
