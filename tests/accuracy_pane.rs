@@ -63,7 +63,9 @@ fn every_map_of_a_setting_can_be_seen() {
 fn a_method_tells_its_story_from_the_first_event_that_is_not_as_it_should_be() {
     let mut bench = open("hard/far_torus");
     press(&mut bench, "This ray");
-    wait_until(&mut bench, "the methods", |bench| offers(bench, "textbook"));
+    // The table takes its last shape when everything is measured.
+    let is_measured = |bench: &Bench| bench.query_by_label_contains("against hits of 77 digits").is_some();
+    wait_until(&mut bench, "the methods", |bench| offers(bench, "textbook") && is_measured(bench));
     let (pixel, expected) = {
         let workbench = workbench(&bench);
         let pixel = workbench.recording().expect("a pixel is recorded").pixel;
