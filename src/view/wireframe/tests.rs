@@ -76,7 +76,7 @@ fn an_edge_of_a_cube_has_the_normals_of_both_faces() {
 
 #[test]
 fn every_point_of_every_plain_scene_lies_on_its_object() {
-    // The hard scenes hold leaves beside which a millionth of their size is less than the numbers can tell.
+    // In two of the hard scenes, grazing_block and nothing_left, some points lie farther off than this bound: that is not mended.
     for embedded in embedded_scenes().into_iter().filter(|scene| !scene.name.starts_with("hard/")) {
         // Scenes that read pictures beside them have the shapes of others.
         let Ok(scene) = load(embedded.text, &embedded.name) else { continue };
