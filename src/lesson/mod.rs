@@ -30,5 +30,5 @@ pub use progress::Progress;
 pub use prose::Told;
 pub use question::{Answer, Posed, Verdict};
 pub use scenes::{Compiled, NoShelf, Scenes, Shelf};
-pub use source::read;
+pub use source::{lesson_schema, read};
 pub use stage::Stage;
