@@ -197,6 +197,23 @@ fn an_examination_follows_from_its_seed() {
     };
     let (first, again, other) = (drawn(1), drawn(1), drawn(2));
     assert_eq!(first.len(), 6);
+    let exam = Exam::draw(&lessons.course, &[], 6, 1, &Scenes::default(), &lessons.shelf);
+    assert!(
+        exam.questions.iter().any(|question| !question.before.is_empty()),
+        "the questions lack what is told before them"
+    );
     assert_eq!(first, again);
     assert_ne!(first, other);
+}
+
+#[test]
+fn the_schema_of_blocks_is_the_one_beside_the_lessons() {
+    let path = root().join("lessons/lesson.schema.json");
+    let written = fs::read_to_string(&path).unwrap_or_default();
+    let schema =
+        serde_json::to_string_pretty(&rayscope::lesson::lesson_schema()).expect("a schema can be written") + "\n";
+    assert!(
+        written == schema,
+        "lessons/lesson.schema.json is out of date: `rayscope schema lesson > lessons/lesson.schema.json` writes it anew"
+    );
 }

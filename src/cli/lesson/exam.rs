@@ -3,7 +3,7 @@
 use super::written::{Answers, question_text};
 use crate::cli::failure::Failure;
 use crate::cli::output::Output;
-use crate::lesson::{Exam as Drawn, Scenes};
+use crate::lesson::{Before, Exam as Drawn, Scenes};
 use crate::lesson_folder::Lessons;
 use clap::Args;
 use std::fmt::Write;
@@ -51,6 +51,12 @@ impl Exam {
         for (number, question) in exam.questions.iter().enumerate() {
             let aim = question.stage.aim_in_words();
             let _ = writeln!(text, "## {}. {}\n\n{aim}.\n", number + 1, question.step);
+            for before in &question.before {
+                text.push_str(&match before {
+                    Before::Prose(prose) => prose_text(prose),
+                    Before::Table(table) => table_text(&table.head, &table.rows),
+                });
+            }
             text.push_str(&question_text(&question.posed, if self.answers { Answers::Shown } else { Answers::Hidden }));
             text.push('\n');
         }
