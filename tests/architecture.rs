@@ -157,6 +157,7 @@ const CRATES: &[(&[&str], &[&str])] = &[
     (&["pdf_writer", "subsetter"], &["src/view/pdf.rs", "src/view/pdf/"]),
     (&["egui", "egui_tiles", "eframe", "winit", "rfd"], &["src/app/"]),
     (&["tiny_skia"], &["src/view/paint.rs"]),
+    (&["ratex_parser", "ratex_layout", "ratex_types", "ratex_font"], &["src/view/formula/"]),
     (&["image_compare"], &["src/laboratory/errors.rs"]),
     (&["clap", "ctrlc", "indicatif"], &["src/cli/"]),
 ];
