@@ -1,11 +1,13 @@
 //! From LaTeX to letters and rules with their places.
 
+use super::letters::measures_of;
 use super::{FormulaError, Letter, Part};
 use crate::view::drawing::{Frame, Spot};
 use crate::view::outline::Pen;
-use ratex_layout::{LayoutOptions, layout, to_display_list, validate_layout};
+use ratex_layout::{LayoutOptions, layout_with_fallback_metrics, to_display_list, validate_layout};
 use ratex_parser::{ParseNode, Parser};
 use ratex_types::{Color, DisplayItem, MathStyle, PathCommand};
+use std::sync::Arc;
 
 /// Longer texts are no formulas; without a bound, one that was pasted by mistake would be laid out for minutes.
 const MOST_BYTES: usize = 8_000;
@@ -49,9 +51,10 @@ fn plain(message: &str) -> String {
 }
 
 /// Letters and rules with their places, and width, height and depth of all.
-pub fn parts(nodes: &[ParseNode], display: bool) -> Result<(Vec<Part>, [f64; 3]), FormulaError> {
+pub fn parts(latex: &str, nodes: &[ParseNode], display: bool) -> Result<(Vec<Part>, [f64; 3]), FormulaError> {
     let style = if display { MathStyle::Display } else { MathStyle::Text };
-    let boxes = layout(nodes, &LayoutOptions { style, ..LayoutOptions::default() });
+    let options = LayoutOptions { style, ..LayoutOptions::default() };
+    let boxes = layout_with_fallback_metrics(nodes, &options, Arc::new(measures_of(latex).collect()));
     validate_layout(&boxes).map_err(FormulaError::of_all)?;
     let list = to_display_list(&boxes);
     let size = [list.width, list.height, list.depth];

@@ -85,7 +85,7 @@ impl Formula {
     pub fn typeset(latex: &str, display: bool) -> Result<Self, FormulaError> {
         let nodes = laid_out::parsed(latex)?;
         let words = words::of(&nodes);
-        let (parts, [width, height, depth]) = laid_out::parts(&nodes, display)?;
+        let (parts, [width, height, depth]) = laid_out::parts(latex, &nodes, display)?;
         Ok(Self { width, height, depth, words, parts }.holding_its_ink())
     }
 

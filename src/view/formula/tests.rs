@@ -18,6 +18,7 @@ const FORMULAS: &[&str] = &[
     "t = −0.35 · 1.5^2",
     r"\vec{v} \cdot \hat{n} \ge 0 \Rightarrow 30^\circ",
     r"\overbrace{a + b}^{\text{first}} \underbrace{c}_{k} \boldsymbol{x} \mathcal{L} \mathbb{R}",
+    r"\text{surface of S₁} \cup \text{½ · 10⁻³ → “1”}",
     r"\text{§ 6.5: the index is } n_1/n_2 \approx 1{,}000",
 ];
 
