@@ -18,6 +18,8 @@ pub mod document;
 pub mod folder;
 pub mod laboratory;
 pub mod ledger;
+pub mod lesson;
+pub mod lesson_folder;
 pub mod math;
 pub mod optics;
 pub mod peer;

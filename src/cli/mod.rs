@@ -11,6 +11,7 @@ mod export;
 mod failure;
 mod find;
 mod frames;
+mod lesson;
 mod map;
 mod open;
 mod output;
@@ -41,6 +42,7 @@ Examples:
   rayscope find optics/fishbowl tir             list the pixels with total internal reflection
   rayscope map optics/fishbowl --of rays -o rays.png    show how many rays each pixel sends
   rayscope compare mine.jsonl csg/bowl          say where your own ray tracer departs from this one
+  rayscope lesson list                          the lessons of the course
   rayscope effects optics/fishbowl              say what each effect of a scene costs
   rayscope accuracy lights/soft_shadows         say what accuracy costs in time
   rayscope scan textures/scanning               texture scanning beside inverse scanning
@@ -72,6 +74,7 @@ enum Command {
     Render(render::Render),
     Trace(trace::Trace),
     Find(find::Find),
+    Lesson(lesson::Lesson),
     Map(map::Map),
     Scan(scan::Scan),
     Effects(effects::Effects),
@@ -98,6 +101,7 @@ pub fn run() -> ExitCode {
         Some(Command::Render(render)) => render.run(),
         Some(Command::Trace(trace)) => trace.run(),
         Some(Command::Find(find)) => find.run(),
+        Some(Command::Lesson(lesson)) => lesson.run(),
         Some(Command::Map(map)) => map.run(),
         Some(Command::Scan(scan)) => scan.run(),
         Some(Command::Effects(effects)) => effects.run(),

@@ -17,7 +17,7 @@ pub(super) const GROUPS: [Term; 1] = [Term {
 }];
 
 /// All words.
-pub(super) static WORDS: [Term; 57] = [
+pub(super) static WORDS: [Term; 80] = [
     word("pixel", "the whole story of a pixel", |v| matches!(v.what(), What::Pixel { .. })),
     word("sample", "one of several samples of a pixel", |v| matches!(v.what(), What::Sample(_))),
     word("ray", "a ray of any kind", |v| matches!(v.what(), What::Ray { .. } | What::LooseRay { .. })),
@@ -107,6 +107,29 @@ pub(super) static WORDS: [Term; 57] = [
     word("limit.contribution", "a ray that is not sent because it would count too little", |v| {
         is_limit(v, "contribution")
     }),
+    word("ball", "a test of a ball", |v| matches!(v.what(), What::Ball { .. })),
+    word("projection", "a test of a rectangle of the picture", |v| matches!(v.what(), What::Projection { .. })),
+    word("decision", "how a solver came to be sure", |v| matches!(v.what(), What::Decision { .. })),
+    word("implicit", "d(t) along the ray", |v| matches!(v.what(), What::Implicit { .. })),
+    word("roots", "all hit times of a primitive that were looked at", |v| matches!(v.what(), What::Roots { .. })),
+    word("combine", "a node of a Boolean tree", |v| matches!(v.what(), What::Combine { .. })),
+    word("average", "the mean of a pixel's samples", |v| matches!(v.what(), What::Average(_))),
+    word("confusion", "how far a hit is out of focus", |v| matches!(v.what(), What::Confusion(_))),
+    word("mapping", "from a surface to a place in an image", |v| matches!(v.what(), What::Mapping(_))),
+    word("texels", "the texels that are averaged", |v| matches!(v.what(), What::Texels(_))),
+    word("lattice", "noise from the corners of a lattice cell", |v| matches!(v.what(), What::Lattice(_))),
+    word("octaves", "turbulence: noise of several sizes added up", |v| matches!(v.what(), What::Octaves(_))),
+    word("undulate", "a colour from a spline", |v| matches!(v.what(), What::Undulate(_))),
+    word("rings", "the ring of a log", |v| matches!(v.what(), What::Rings(_))),
+    word("frame_map", "a frame that a grain turns", |v| matches!(v.what(), What::FrameMap(_))),
+    word("phase", "by how much light is turned in a medium", |v| matches!(v.what(), What::Phase(_))),
+    word("passage", "what comes out of a stretch of a medium", |v| matches!(v.what(), What::Passage(_))),
+    word("conductor", "Fresnel's equations for a metal", |v| matches!(v.what(), What::Conductor(_))),
+    word("ambient", "the ambient term", |v| matches!(v.what(), What::Ambient { .. })),
+    word("light_sample", "a point of a light that has a size", |v| matches!(v.what(), What::LightSample(_))),
+    word("reflection", "the mirrored direction", |v| matches!(v.what(), What::Reflection { .. })),
+    word("colour", "the sum of a hit's terms", |v| matches!(v.what(), What::Colour { .. })),
+    word("written", "the bytes of a pixel", |v| matches!(v.what(), What::Written { .. })),
 ];
 
 fn is_ray(view: &View, kind: RayKind) -> bool {

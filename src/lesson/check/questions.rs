@@ -1,0 +1,141 @@
+//! Questions, answered rightly and in every wrong way that they expect.
+
+use super::Check;
+use crate::lesson::model::{Change, Edit, Surface};
+use crate::lesson::place::Place;
+use crate::lesson::question::{Answer, Form, Posed, PosedEdit, Reckoned, Spot, Verdict};
+use crate::lesson::scenes::changed;
+use crate::lesson::stage::Stage;
+use crate::scene::{EmbeddedFiles, load_with};
+
+/// Answers a question in all ways that it expects.
+pub(super) fn check_answers(check: &mut Check, posed: &Posed, stage: &Stage, place: Place) {
+    match &posed.form {
+        Form::Number(reckoned) | Form::Time(reckoned) => {
+            numbers(check, posed, reckoned, |number| Answer::Number(*number), place);
+        }
+        Form::Intervals(reckoned) => numbers(check, posed, reckoned, |list| Answer::Intervals(list.clone()), place),
+        Form::Choice(choices) => {
+            let right = choices.iter().filter(|choice| choice.is_right).count();
+            if right != 1 {
+                check.add(place, format!("exactly one choice is to be right, and here {right} are{}", aim(stage)));
+            }
+            for (number, choice) in choices.iter().enumerate() {
+                let verdict = posed.judge(&Answer::Choice(number));
+                expect(check, &verdict, choice.is_right.then_some(None).unwrap_or(Some(number)), place, stage);
+            }
+        }
+        Form::Order { right, wrong, .. } => {
+            expect(check, &posed.judge(&Answer::Order(right.clone())), None, place, stage);
+            for (number, (order, _)) in wrong.iter().enumerate() {
+                expect(check, &posed.judge(&Answer::Order(order.clone())), Some(number), place, stage);
+            }
+        }
+        Form::Place(surface, reckoned) => clicks(check, posed, *surface, reckoned, stage, place),
+        Form::Edit(edit) => edits(check, posed, edit, stage, place),
+    }
+}
+
+fn aim(stage: &Stage) -> String {
+    stage.aim.at.map_or(String::new(), |at| format!(" (traced: {at:?})"))
+}
+
+/// A right answer is accepted; a wrong one is refused, with what belongs to it.
+fn expect(check: &mut Check, verdict: &Verdict, misconception: Option<usize>, place: Place, stage: &Stage) {
+    check.checked.answers += 1;
+    let problem = match misconception {
+        None if !verdict.is_right => "the right answer is not accepted".to_owned(),
+        Some(number) if verdict.is_right => {
+            format!("the wrong answer {} is accepted: it is within the tolerance of the right one", number + 1)
+        }
+        Some(number) if verdict.misconception != Some(number) => {
+            format!("what belongs to the wrong answer {} is never said: another answer is taken for it", number + 1)
+        }
+        _ => return,
+    };
+    check.add(place, format!("{problem}{}", aim(stage)));
+}
+
+fn numbers<T>(check: &mut Check, posed: &Posed, reckoned: &Reckoned<T>, answer: impl Fn(&T) -> Answer, place: Place) {
+    let mut judge = |value: &T, misconception: Option<usize>| {
+        let verdict = posed.judge(&answer(value));
+        check.checked.answers += 1;
+        let problem = match misconception {
+            None if !verdict.is_right => "the right answer is not accepted: it is no number, or the tolerance is none",
+            Some(_) if verdict.is_right => "a wrong answer is accepted: it is within the tolerance of the right one",
+            Some(number) if verdict.misconception != Some(number) => {
+                "what belongs to a wrong answer is never said: another wrong answer has the same value"
+            }
+            _ => return,
+        };
+        let number = misconception.map_or(String::new(), |number| format!(" (wrong answer {})", number + 1));
+        check.add(place, format!("{problem}{number}"));
+    };
+    judge(&reckoned.answer, None);
+    for (number, (value, _)) in reckoned.wrong.iter().enumerate() {
+        judge(value, Some(number));
+    }
+}
+
+/// A click in the picture is judged by its pixels; in the side view by points that lie apart in space, because its scale is the window's.
+fn clicks(check: &mut Check, posed: &Posed, surface: Surface, reckoned: &Reckoned<Spot>, stage: &Stage, place: Place) {
+    let scene = &stage.scene.scene;
+    let in_image = |spot: &Spot| match spot {
+        Spot::Pixel(pixel) => Some(*pixel),
+        Spot::World(point) => scene.camera.project(scene.image, (*point).into()),
+    };
+    if surface == Surface::Side {
+        let is_point = |spot: &Spot| matches!(spot, Spot::World(_));
+        if !is_point(&reckoned.answer) || reckoned.wrong.iter().any(|(spot, _)| !is_point(spot)) {
+            check.add(place, "in the side view a place is a point in space");
+        }
+        if reckoned.wrong.iter().any(|(spot, _)| *spot == reckoned.answer) {
+            check.add(place, "a wrong place is the right one");
+        }
+        check.checked.answers += 1;
+        return;
+    }
+    let spots = std::iter::once((None, &reckoned.answer)).chain(reckoned.wrong.iter().enumerate().map(|(n, (spot, _))| (Some(n), spot)));
+    for (misconception, spot) in spots {
+        match in_image(spot) {
+            Some(click) => expect(check, &posed.judge_click(click, in_image), misconception, place, stage),
+            None => check.add(place, "a place lies behind the eye, so that nobody can click it"),
+        }
+    }
+}
+
+fn edits(check: &mut Check, posed: &Posed, edit: &PosedEdit, stage: &Stage, place: Place) {
+    let Edit { solution, wrong, .. } = &edit.edit;
+    let mut judge = |changes: &[Change], misconception: Option<usize>| match edited(check, stage, changes) {
+        Err(problem) => check.add(place, format!("{}: {problem}", named(misconception))),
+        Ok(edited) => match posed.judge_edit(&edited) {
+            Ok(verdict) => expect(check, &verdict, misconception, place, &edited),
+            Err(error) => check.add(place, format!("{}: {error}", named(misconception))),
+        },
+    };
+    judge(solution, None);
+    for (number, wrong) in wrong.iter().enumerate() {
+        judge(&wrong.change, Some(number));
+    }
+}
+
+fn named(misconception: Option<usize>) -> String {
+    misconception.map_or("the solution".to_owned(), |number| format!("the wrong change {}", number + 1))
+}
+
+fn edited(check: &Check, stage: &Stage, changes: &[Change]) -> Result<Stage, String> {
+    let text = changed(&stage.scene.text, changes)?;
+    let name = &stage.scene.name;
+    let own = check.shelf.text(&check.lesson.id, name).is_some();
+    let scene = if own {
+        load_with(&text, name, check.shelf.pictures(&check.lesson.id).as_ref())
+    } else {
+        load_with(&text, name, &EmbeddedFiles::of_scene(name))
+    };
+    let scene = scene.map_err(|errors| errors.to_string())?;
+    let scene = match &stage.aim.accuracy {
+        Some(profile) => scene.with_profile(profile),
+        None => scene,
+    };
+    stage.edited(text, scene)
+}

@@ -1,0 +1,114 @@
+//! The course: all lessons that come with the program, or those of a folder, in their order.
+
+use super::glossary::Glossary;
+use super::model::Lesson;
+use super::place::{Finding, Place};
+use super::source::read;
+use include_dir::{Dir, include_dir};
+use std::collections::BTreeMap;
+
+/// The lessons that come with the program.
+pub static EMBEDDED: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/lessons");
+
+/// A lesson's text, wherever it comes from.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct LessonText {
+    /// The name of its folder.
+    pub id: String,
+    /// The file, as messages are to name it.
+    pub file: String,
+    /// What it says.
+    pub text: String,
+}
+
+/// Lessons that belong together, with their glossary.
+#[derive(Clone, Debug, Default)]
+pub struct Course {
+    /// The lessons, by the names of their folders.
+    pub lessons: Vec<Lesson>,
+    /// Their terms.
+    pub glossary: Glossary,
+    /// What was found wrong while they were read.
+    pub findings: Vec<Finding>,
+}
+
+impl Course {
+    /// The course that comes with the program.
+    #[must_use]
+    pub fn embedded() -> Self {
+        let mut texts: Vec<LessonText> = EMBEDDED
+            .dirs()
+            .filter_map(|dir| {
+                let id = dir.path().to_str()?.replace('\\', "/");
+                let file = dir.get_file(dir.path().join("lesson.md"))?;
+                // The template is there to be copied, and is no lesson of the course.
+                let is_numbered = id.starts_with(|c: char| c.is_ascii_digit());
+                is_numbered.then(|| LessonText {
+                    file: format!("lessons/{id}/lesson.md"),
+                    id,
+                    text: file.contents_utf8().unwrap_or_default().to_owned(),
+                })
+            })
+            .collect();
+        texts.sort_by(|a, b| a.id.cmp(&b.id));
+        let glossary = EMBEDDED.get_file("glossary.md").and_then(include_dir::File::contents_utf8);
+        Self::read(&texts, Some(("lessons/glossary.md", glossary.unwrap_or_default())))
+    }
+
+    /// The course of these texts, in their order.
+    #[must_use]
+    pub fn read(texts: &[LessonText], glossary: Option<(&str, &str)>) -> Self {
+        let mut course = Self::default();
+        for LessonText { id, file, text } in texts {
+            let (lesson, findings) = read(id, file, text);
+            course.lessons.extend(lesson);
+            course.findings.extend(findings);
+        }
+        if let Some((file, text)) = glossary {
+            let (terms, findings) = Glossary::read(file, text);
+            course.glossary = terms;
+            course.findings.extend(findings);
+        }
+        course
+    }
+
+    /// The lesson of that name.
+    #[must_use]
+    pub fn lesson(&self, id: &str) -> Option<&Lesson> {
+        self.lessons.iter().find(|lesson| lesson.id == id)
+    }
+
+    /// How many lessons lie between each lesson and the first that it builds on: the column of the course's map. What needs
+    /// nothing is in column 0.
+    #[must_use]
+    pub fn columns(&self) -> BTreeMap<&str, usize> {
+        let mut columns: BTreeMap<&str, usize> = BTreeMap::new();
+        // Needs lead to earlier lessons, so that one pass is enough.
+        for lesson in &self.lessons {
+            let needed = lesson.header.needs.iter().filter_map(|id| columns.get(id.value.as_str())).max();
+            columns.insert(&lesson.id, needed.map_or(0, |column| column + 1));
+        }
+        columns
+    }
+
+    /// Needs that are no lesson, or none that comes before.
+    #[must_use]
+    pub fn unmet_needs(&self) -> Vec<Finding> {
+        let mut findings = Vec::new();
+        for (number, lesson) in self.lessons.iter().enumerate() {
+            for need in &lesson.header.needs {
+                let found = self.lessons.iter().position(|other| other.id == need.value);
+                let message = match found {
+                    None => format!("there is no lesson `{}`", need.value),
+                    Some(at) if at >= number => format!("`{}` does not come before this lesson", need.value),
+                    Some(_) => continue,
+                };
+                findings.push(Finding { file: lesson.file.clone(), place: need.place, message });
+            }
+        }
+        findings
+    }
+}
+
+/// The start of a file.
+pub(super) const START: Place = Place { line: 1, column: 1 };

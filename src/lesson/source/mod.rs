@@ -1,0 +1,12 @@
+//! Reading a lesson's file: Markdown, with a header and fenced blocks in TOML.
+
+mod aims;
+pub(in crate::lesson) mod blocks;
+mod lesson;
+mod markdown;
+mod questions;
+mod references;
+mod typed_numbers;
+
+pub use lesson::read;
+pub(in crate::lesson) use markdown::read_prose;
