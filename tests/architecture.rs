@@ -81,6 +81,10 @@ const LAYERS: &[(&str, &[&str])] = &[
         "lesson",
         &["record", "math", "shape", "csg", "optics", "texture", "sample", "scene", "trace", "view", "query", "story", "document"],
     ),
+    (
+        "book",
+        &["record", "math", "shape", "csg", "optics", "texture", "sample", "scene", "trace", "view", "query", "story", "share", "lesson"],
+    ),
     ("words", &[]),
     ("peer", &["record", "shape", "csg", "sample", "scene"]),
     (
@@ -92,6 +96,7 @@ const LAYERS: &[(&str, &[&str])] = &[
             "story",
             "share",
             "lesson",
+            "book",
             "words",
             "record",
             "math",
