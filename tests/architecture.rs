@@ -79,11 +79,17 @@ const LAYERS: &[(&str, &[&str])] = &[
     ),
     (
         "lesson",
-        &["record", "math", "shape", "csg", "optics", "texture", "sample", "scene", "trace", "view", "query", "story", "document"],
+        &[
+            "record", "math", "shape", "csg", "optics", "texture", "sample", "scene", "trace", "view", "query",
+            "story", "document",
+        ],
     ),
     (
         "book",
-        &["record", "math", "shape", "csg", "optics", "texture", "sample", "scene", "trace", "view", "query", "story", "share", "lesson"],
+        &[
+            "record", "math", "shape", "csg", "optics", "texture", "sample", "scene", "trace", "view", "query",
+            "story", "share", "lesson",
+        ],
     ),
     ("words", &[]),
     ("peer", &["record", "shape", "csg", "sample", "scene"]),

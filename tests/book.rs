@@ -148,8 +148,10 @@ fn nothing_is_asked_for_from_outside_and_only_the_search_has_a_script() {
 
 #[test]
 fn every_element_that_is_opened_is_closed() {
-    let with_end =
-        ["p", "a", "div", "section", "details", "figure", "svg", "ol", "ul", "dl", "table", "td", "em", "data", "nav", "h2", "h3", "g"];
+    let with_end = [
+        "p", "a", "div", "section", "details", "figure", "svg", "ol", "ul", "dl", "table", "td", "em", "data", "nav",
+        "h2", "h3", "g",
+    ];
     for made in both() {
         for (path, page) in made.pages() {
             for tag in with_end {
@@ -170,7 +172,10 @@ fn all_values_are_put_in_and_all_formulas_are_set() {
         }
     }
     let page = bowl();
-    assert!(page.contains("<svg class=\"formula\" role=\"img\" aria-label=\"t equals 8.36646\""), "the template's first formula");
+    assert!(
+        page.contains("<svg class=\"formula\" role=\"img\" aria-label=\"t equals 8.36646\""),
+        "the template's first formula"
+    );
 }
 
 #[test]
@@ -194,7 +199,11 @@ fn a_step_shows_its_drawings_its_picture_and_the_whole_story_of_its_ray() {
     assert_eq!(page.matches("<figure class=\"drawing\">").count(), 2, "side and intervals");
     assert!(page.contains("href=\"rayscope:csg/bowl?pixel=333,150&amp;event="));
     assert!(page.contains("<code>rayscope trace csg/bowl --pixel 333,150</code>"));
-    assert_eq!(page.matches("<summary>The ray&#39;s whole story as text</summary>").count(), 1, "all steps look at the same ray");
+    assert_eq!(
+        page.matches("<summary>The ray&#39;s whole story as text</summary>").count(),
+        1,
+        "all steps look at the same ray"
+    );
     assert!(page.contains("③ Identify the closest intersection in front of the eye"));
 }
 

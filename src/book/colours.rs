@@ -74,7 +74,8 @@ mod tests {
     #[test]
     fn drawings_that_differ_in_colours_alone_become_one() {
         let mut colours = Colours::default();
-        let [light, dark] = ["1c1f24", "e8eaed"].map(|ink| format!("<svg a=\"1\"><path fill=\"#{ink}\" stroke=\"#ffffff\"/></svg>"));
+        let [light, dark] =
+            ["1c1f24", "e8eaed"].map(|ink| format!("<svg a=\"1\"><path fill=\"#{ink}\" stroke=\"#ffffff\"/></svg>"));
         let merged = colours.of_both(&light, &dark);
         assert_eq!(merged, "<svg a=\"1\"><path fill=\"var(--c0)\" stroke=\"var(--c1)\"/></svg>");
         assert!(colours.css().starts_with(":root{--c0:#1c1f24;--c1:#ffffff;}"), "{}", colours.css());

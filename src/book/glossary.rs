@@ -5,8 +5,8 @@ use super::links;
 use super::prose::words_of;
 use super::search::{Entry, shown};
 use super::{Book, BookFile};
-use crate::lesson::Told;
 use crate::lesson::prose::{Block, Inline, Line, Piece, Prose, Reference};
+use crate::lesson::{Course, Term, Told};
 use crate::view::escaped;
 
 /// All terms with what they mean.
@@ -14,7 +14,7 @@ pub fn file(book: &mut Book) -> BookFile {
     let course = book.course;
     let mut page = book.page();
     page.put("<h1>Glossary</h1>\n<dl class=\"glossary\">\n");
-    for term in &course.glossary.terms {
+    for term in by_name(course) {
         let name = shown(&term.name);
         page.put(format_args!("<dt id=\"{}\">{}", links::term(&term.name), escaped(&name)));
         if !term.also.is_empty() {
@@ -25,7 +25,12 @@ pub fn file(book: &mut Book) -> BookFile {
         page.prose(&meaning);
         page.put("</dd>\n");
         let path = format!("glossary.html#{}", links::term(&term.name));
-        page.entries.push(Entry { title: format!("{name} (glossary)"), path, words: words_of(&meaning), terms: Vec::new() });
+        page.entries.push(Entry {
+            title: format!("{name} (glossary)"),
+            path,
+            words: words_of(&meaning),
+            terms: Vec::new(),
+        });
     }
     page.put("</dl>\n");
     let head = Head {
@@ -39,6 +44,13 @@ pub fn file(book: &mut Book) -> BookFile {
     page.terms.clear();
     book.keep(&mut page);
     file
+}
+
+/// The terms as a reader looks for them: capital letters count as small ones.
+pub fn by_name(course: &Course) -> Vec<&Term> {
+    let mut terms: Vec<&Term> = course.glossary.terms.iter().collect();
+    terms.sort_by_key(|term| term.name.to_lowercase());
+    terms
 }
 
 /// A glossary belongs to no ray, so that it has no values: where one stands all the same, nothing is said.

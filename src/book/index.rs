@@ -31,7 +31,7 @@ pub fn file(book: &mut Book) -> BookFile {
     page.put("</ol>\n<h2>What needs what</h2>\n");
     page.put(format_args!(
         "<figure class=\"drawing\"><div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Map of the course\">{}</div>\
-         <figcaption>Each lesson with lines from those that it builds on. What stands in the same column can be read in any order.\
+         <figcaption>Each lesson with lines from those that it builds on. What stands in the same row can be read in any order.\
          </figcaption></figure>\n",
         map::svg(course)
     ));

@@ -24,7 +24,9 @@ pub fn files(book: &mut Book, place: usize) -> Vec<BookFile> {
     }
     page.put("</article>\n");
     let neighbour = |place: Option<usize>| {
-        place.and_then(|place| course.lessons.get(place)).map(|lesson| (lesson_path(&lesson.id), numbered_title(lesson)))
+        place
+            .and_then(|place| course.lessons.get(place))
+            .map(|lesson| (lesson_path(&lesson.id), numbered_title(lesson)))
     };
     let head = Head {
         path,
@@ -34,10 +36,11 @@ pub fn files(book: &mut Book, place: usize) -> Vec<BookFile> {
         after: neighbour(Some(place + 1)),
         scripts: &[],
     };
-    let mut files = std::mem::take(&mut steps.files);
-    files.push(page.finished(&head));
+    page.files.append(&mut steps.files);
+    let written = page.finished(&head);
     book.keep(&mut page);
-    files
+    page.files.push(written);
+    page.files
 }
 
 fn heading(lesson: &Lesson, page: &mut Page) {
@@ -57,7 +60,10 @@ fn heading(lesson: &Lesson, page: &mut Page) {
     if !needs.is_empty() {
         page.put(format_args!("<p class=\"needs\">It builds on {}.</p>\n", needs.join(", ")));
     }
-    page.put(format_args!("<p class=\"open\">In the workbench: <code>rayscope lesson open {}</code></p>\n", escaped(&lesson.id)));
+    page.put(format_args!(
+        "<p class=\"open\">In the workbench: <code>rayscope lesson open {}</code></p>\n",
+        escaped(&lesson.id)
+    ));
     page.put("<nav class=\"steps\" aria-label=\"Steps\"><ol>\n");
     for (number, step) in lesson.steps.iter().enumerate() {
         page.put(format_args!("<li><a href=\"#step-{}\">{}</a></li>\n", number + 1, escaped(&step.title)));

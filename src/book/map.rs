@@ -1,4 +1,4 @@
-//! The map of the course: lessons as boxes in columns, with lines from what each of them builds on.
+//! The map of the course: lessons as boxes in rows, with lines from what each of them builds on.
 
 use super::{lesson_path, number_of};
 use crate::lesson::Course;
@@ -9,7 +9,7 @@ use std::fmt::Write as _;
 
 /// Sizes in points.
 const BOX: [f64; 2] = [168.0, 42.0];
-const GAP: [f64; 2] = [46.0, 14.0];
+const GAP: [f64; 2] = [18.0, 38.0];
 const SIZE: f64 = 12.0;
 
 /// The map as SVG in the colours of the page; its boxes are links.
@@ -17,7 +17,8 @@ pub fn svg(course: &Course) -> String {
     let places = places(course);
     let width = places.values().map(|[x, _]| x + BOX[0]).fold(BOX[0], f64::max) + 2.0;
     let height = places.values().map(|[_, y]| y + BOX[1]).fold(BOX[1], f64::max) + 2.0;
-    let mut out = format!("<svg class=\"map\" width=\"{width}\" height=\"{height}\" viewBox=\"-1 -1 {width} {height}\">\n");
+    let mut out =
+        format!("<svg class=\"map\" width=\"{width}\" height=\"{height}\" viewBox=\"-1 -1 {width} {height}\">\n");
     for lesson in &course.lessons {
         for need in &lesson.header.needs {
             if let (Some(from), Some(to)) = (places.get(need.value.as_str()), places.get(lesson.id.as_str())) {
@@ -36,26 +37,26 @@ pub fn svg(course: &Course) -> String {
 /// The left upper corners of the boxes.
 fn places(course: &Course) -> BTreeMap<&str, [f64; 2]> {
     let columns = course.columns();
-    let mut rows: BTreeMap<usize, usize> = BTreeMap::new();
+    let mut used: BTreeMap<usize, usize> = BTreeMap::new();
     let mut places = BTreeMap::new();
     for lesson in &course.lessons {
-        let column = columns.get(lesson.id.as_str()).copied().unwrap_or(0);
-        let row = rows.entry(column).or_insert(0);
-        places.insert(lesson.id.as_str(), [column as f64 * (BOX[0] + GAP[0]), *row as f64 * (BOX[1] + GAP[1])]);
-        *row += 1;
+        let row = columns.get(lesson.id.as_str()).copied().unwrap_or(0);
+        let before = used.entry(row).or_insert(0);
+        places.insert(lesson.id.as_str(), [*before as f64 * (BOX[0] + GAP[0]), row as f64 * (BOX[1] + GAP[1])]);
+        *before += 1;
     }
     places
 }
 
 fn line(out: &mut String, from: [f64; 2], to: [f64; 2]) {
-    let [x0, y0] = [from[0] + BOX[0], from[1] + BOX[1] / 2.0];
-    let [x1, y1] = [to[0], to[1] + BOX[1] / 2.0];
-    let bend = (x1 - x0) / 2.0;
+    let [x0, y0] = [from[0] + BOX[0] / 2.0, from[1] + BOX[1]];
+    let [x1, y1] = [to[0] + BOX[0] / 2.0, to[1]];
+    let bend = GAP[1] * 0.8;
     let _ = writeln!(
         out,
-        "<path d=\"M{x0} {y0}C{} {y0} {} {y1} {x1} {y1}\" fill=\"none\" stroke=\"currentColor\" stroke-opacity=\"0.45\"/>",
-        x0 + bend,
-        x1 - bend
+        "<path d=\"M{x0} {y0}C{x0} {} {x1} {} {x1} {y1}\" fill=\"none\" stroke=\"currentColor\" stroke-opacity=\"0.45\"/>",
+        y0 + bend,
+        y1 - bend
     );
 }
 

@@ -22,7 +22,6 @@ mod sections;
 mod step;
 mod worked_example;
 
-
 pub use print::lesson_pdf;
 
 use crate::lesson::model::Lesson;

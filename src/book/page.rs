@@ -1,5 +1,6 @@
 //! A page that is being written, and what it gathers on the way.
 
+use super::BookFile;
 use super::colours::Colours;
 use super::search::Entry;
 use crate::lesson::{Course, Finding};
@@ -24,6 +25,8 @@ pub struct Page<'a> {
     pub terms: Vec<String>,
     /// What is wrong with what it shows.
     pub findings: Vec<Finding>,
+    /// Files that belong to it.
+    pub files: Vec<BookFile>,
 }
 
 impl<'a> Page<'a> {
@@ -38,6 +41,7 @@ impl<'a> Page<'a> {
             entries: Vec::new(),
             terms: Vec::new(),
             findings: Vec::new(),
+            files: Vec::new(),
         }
     }
 

@@ -35,7 +35,7 @@ impl Pictures {
     /// The path of a scene's picture from the root of the book, and the file, if it was not made before. `text` stands for the scene:
     /// two with the same text have the same picture.
     pub fn of(&mut self, scene: &Scene, text: &str) -> (String, Option<BookFile>) {
-        let path = format!("pictures/{:016x}.png", fingerprint(text));
+        let path = format!("pictures/{:016x}.png", fingerprint(text.as_bytes()));
         if !self.made.insert(path.clone()) {
             return (path, None);
         }
@@ -55,8 +55,8 @@ impl Pictures {
 }
 
 /// FNV-1a: the same text has the same name on every machine.
-fn fingerprint(text: &str) -> u64 {
-    text.bytes().fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3))
+pub fn fingerprint(bytes: &[u8]) -> u64 {
+    bytes.iter().fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01b3))
 }
 
 impl Shown<'_> {

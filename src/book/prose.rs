@@ -132,12 +132,13 @@ impl Page<'_> {
 
 /// Whether a cell holds nothing but a number, so that it is set to the right.
 fn is_number(cell: &[Inline<Told>]) -> bool {
-    let is_numeric = |text: &str| {
-        text.starts_with(|c: char| c.is_ascii_digit() || c == '−') && !text.contains(char::is_alphabetic)
-    };
+    let is_numeric =
+        |text: &str| text.starts_with(|c: char| c.is_ascii_digit() || c == '−') && !text.contains(char::is_alphabetic);
     match cell {
         [Inline::Value(value)] => is_numeric(&value.text),
-        [Inline::Formula(pieces)] => pieces.iter().all(|piece| matches!(piece, Piece::Value(told) if is_numeric(&told.text))),
+        [Inline::Formula(pieces)] => {
+            pieces.iter().all(|piece| matches!(piece, Piece::Value(told) if is_numeric(&told.text)))
+        }
         _ => false,
     }
 }

@@ -131,7 +131,8 @@ impl Page<'_> {
 
     fn wrong_changes(&mut self, posed: &PosedEdit) {
         for (wrong, because) in posed.edit.wrong.iter().zip(&posed.because) {
-            let changes: Vec<String> = wrong.change.iter().map(|change| format!("<code>{}</code>", change_text(change))).collect();
+            let changes: Vec<String> =
+                wrong.change.iter().map(|change| format!("<code>{}</code>", change_text(change))).collect();
             self.cause(&changes.join(", "), because);
         }
     }
@@ -151,7 +152,8 @@ impl Page<'_> {
     }
 
     fn order(&mut self, items: &[Vec<Inline<Told>>], order: &[usize]) -> String {
-        let items: Vec<String> = order.iter().filter_map(|&place| items.get(place)).map(|item| self.line(item)).collect();
+        let items: Vec<String> =
+            order.iter().filter_map(|&place| items.get(place)).map(|item| self.line(item)).collect();
         items.join(" → ")
     }
 }

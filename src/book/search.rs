@@ -1,6 +1,7 @@
 //! The page to search on: with a script as one types, and without it by an index of terms.
 
 use super::frame::{self, Head};
+use super::glossary::by_name;
 use super::{Book, BookFile};
 use crate::view::escaped;
 use std::collections::{BTreeMap, BTreeSet};
@@ -48,7 +49,7 @@ fn terms(entries: &[Entry], book: &Book) -> String {
         }
     }
     let mut out = "<dl class=\"terms\">\n".to_owned();
-    for term in &book.course.glossary.terms {
+    for term in by_name(book.course) {
         let links: Vec<String> = places
             .get(term.name.as_str())
             .into_iter()

@@ -42,7 +42,11 @@ pub fn file(book: &mut Book) -> BookFile {
     for ((_, name), section) in &sections {
         page.put(format_args!("<dt id=\"{}\">§ {}</dt>\n<dd>\n<ul>\n", anchor(name), escaped(name)));
         for lesson in &section.lessons {
-            page.put(format_args!("<li>{}<span class=\"idea\">{}</span></li>\n", link(lesson, ""), escaped(&lesson.header.idea)));
+            page.put(format_args!(
+                "<li>{}<span class=\"idea\">{}</span></li>\n",
+                link(lesson, ""),
+                escaped(&lesson.header.idea)
+            ));
         }
         page.put("</ul>\n");
         if !section.examples.is_empty() {

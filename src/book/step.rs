@@ -107,28 +107,38 @@ impl<'a> Steps<'a> {
         };
         let size = [scene.image.width, scene.image.height];
         let picture = Shown { path: format!("{}{path}", page.root), size, pixel, words: &words };
-        page.put(format_args!("<figure class=\"scene\">{}<figcaption>{}</figcaption></figure>\n", picture.html(), escaped(&words)));
+        page.put(format_args!(
+            "<figure class=\"scene\">{}<figcaption>{}</figcaption></figure>\n",
+            picture.html(),
+            escaped(&words)
+        ));
     }
 
     /// What is looked at, and how to look at it oneself.
     fn aim(&self, step: &Step, stage: &Stage, before: Option<usize>, page: &mut Page) {
         page.put(format_args!("<div class=\"aim\"><p>Looked at: {}.", escaped(&stage.aim_in_words())));
         if let Some(before) = before {
-            page.put(format_args!(" Its picture and whole story are with <a href=\"#step-{before}\">step {before}</a>."));
+            page.put(format_args!(
+                " Its picture and whole story are with <a href=\"#step-{before}\">step {before}</a>."
+            ));
         }
         if let Some(link) = to_workbench(step, stage) {
             page.put(format_args!(" <a class=\"workbench\" href=\"{}\">Open in the workbench</a>", escaped(&link)));
         }
         page.put("</p>\n");
-        let command =
-            trace_command(&stage.aim).unwrap_or_else(|| format!("rayscope lesson open {}", self.lesson.id));
+        let command = trace_command(&stage.aim).unwrap_or_else(|| format!("rayscope lesson open {}", self.lesson.id));
         page.put(format_args!("<p>On the command line: <code>{}</code></p></div>\n", escaped(&command)));
     }
 
     fn entry(&self, step: &Step, number: usize, words: &str, page: &mut Page) {
         let title = format!("{}: {}", super::numbered_title(self.lesson), step.title);
         let terms = std::mem::take(&mut page.terms);
-        page.entries.push(Entry { title, path: format!("{}#step-{number}", self.path), words: words.to_owned(), terms });
+        page.entries.push(Entry {
+            title,
+            path: format!("{}#step-{number}", self.path),
+            words: words.to_owned(),
+            terms,
+        });
     }
 }
 
@@ -176,10 +186,11 @@ fn slip(slip: &Slip, stage: &Stage, page: &mut Page) {
     page.put("</div>\n<div class=\"mended\">\n<p class=\"who\">Right</p>\n");
     let right = stage.tell(&slip.right, &mut page.findings);
     page.prose(&right);
-    page.put(format_args!(
-        "</div>\n<p class=\"shown\">The recorded ray shows it: <code>{}</code></p>\n</aside>\n",
-        escaped(slip.shown.value.text())
-    ));
+    page.put("</div>\n");
+    page.folded("What the recorded ray shows", |page| {
+        page.put(format_args!("<p><code>{}</code> holds.</p>\n", escaped(slip.shown.value.text())));
+    });
+    page.put("</aside>\n");
 }
 
 fn tree(stage: &Stage, page: &mut Page) {

@@ -56,7 +56,8 @@ pub fn files(book: &mut Book, place: usize) -> Vec<BookFile> {
     };
     let written = page.finished(&head);
     book.keep(&mut page);
-    file.into_iter().chain([written]).collect()
+    page.files.extend(file.into_iter().chain([written]));
+    page.files
 }
 
 fn heading(example: &Example, scene: &Scene, picture: &str, page: &mut Page) {
@@ -64,7 +65,9 @@ fn heading(example: &Example, scene: &Scene, picture: &str, page: &mut Page) {
     let sections: Vec<String> = example
         .sections
         .iter()
-        .map(|section| format!("<a href=\"../sections.html#{}\">§ {}</a>", super::sections::anchor(section), escaped(section)))
+        .map(|section| {
+            format!("<a href=\"../sections.html#{}\">§ {}</a>", super::sections::anchor(section), escaped(section))
+        })
         .collect();
     let link = link::Link { aim: Some(link::Aim::Pixel(example.pixel)), ..link::Link::to_scene(&example.scene) };
     let words = format!("{}, with pixel {x}, {y} marked", scene.title);

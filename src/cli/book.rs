@@ -86,8 +86,9 @@ impl Book {
     fn write(&self, file: &BookFile) -> Result<(), Failure> {
         let path = self.output.join(&file.path);
         let folder = path.parent().unwrap_or(Path::new("."));
-        fs::create_dir_all(folder)
-            .map_err(|error| Failure::refused(format!("cannot make the folder {}: {}", folder.display(), reason(&error))))?;
+        fs::create_dir_all(folder).map_err(|error| {
+            Failure::refused(format!("cannot make the folder {}: {}", folder.display(), reason(&error)))
+        })?;
         Output::create(Some(&path))?.write(&file.bytes)
     }
 }
@@ -105,5 +106,7 @@ fn told(findings: &[Finding]) -> Result<(), Failure> {
         warn(&finding.to_string());
     }
     let count = findings.len();
-    Err(Failure::refused(format!("{count} places in the lessons are wrong, and left out: `rayscope lesson check` says more")))
+    Err(Failure::refused(format!(
+        "{count} places in the lessons are wrong, and left out: `rayscope lesson check` says more"
+    )))
 }

@@ -30,13 +30,22 @@ impl Exam {
     /// Draws an examination of `count` questions from some lessons of a course. Only what can be answered on paper is asked: no clicks and
     /// no changes of scenes.
     #[must_use]
-    pub fn draw(course: &Course, lessons: &[&str], count: usize, seed: u64, scenes: &Scenes, shelf: &dyn Shelf) -> Self {
+    pub fn draw(
+        course: &Course,
+        lessons: &[&str],
+        count: usize,
+        seed: u64,
+        scenes: &Scenes,
+        shelf: &dyn Shelf,
+    ) -> Self {
         let mut dice = Dice(seed);
         let mut all: Vec<(&Lesson, &Step, &Question)> = course
             .lessons
             .iter()
             .filter(|lesson| lessons.is_empty() || lessons.contains(&lesson.id.as_str()))
-            .flat_map(|lesson| lesson.steps.iter().flat_map(move |step| step.questions().map(move |q| (lesson, step, q))))
+            .flat_map(|lesson| {
+                lesson.steps.iter().flat_map(move |step| step.questions().map(move |q| (lesson, step, q)))
+            })
             .filter(|(_, _, question)| is_on_paper(question))
             .collect();
         dice.shuffle(&mut all);

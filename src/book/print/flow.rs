@@ -1,7 +1,7 @@
 //! Text that flows from page to page.
 
 use super::line::{Glued, Piece, glued_words, in_lines};
-use crate::view::{Anchor, Colour, Drawing, Face, Form, Text, Theme};
+use crate::view::{Anchor, Colour, Drawing, Face, Form, Formula, Frame, Stroke, Text, Theme};
 
 /// A page of A4, in points.
 const PAGE: [f64; 2] = [595.0, 842.0];
@@ -143,7 +143,7 @@ impl Flow {
     }
 
     /// A formula within a line or on its own.
-    fn formula_marks(&mut self, formula: &crate::view::Formula, at: [f64; 2], size: f64) {
+    fn formula_marks(&mut self, formula: &Formula, at: [f64; 2], size: f64) {
         self.say(&format!(" {} ", formula.words));
         for mark in formula.marks(at, size * super::line::FORMULA, ink()) {
             self.put(mark);
@@ -151,7 +151,7 @@ impl Flow {
     }
 
     /// A formula in the middle of a line of its own, smaller where it would be too wide.
-    pub fn display(&mut self, formula: &crate::view::Formula, indent: f64) {
+    pub fn display(&mut self, formula: &Formula, indent: f64) {
         let room = WIDTH - indent;
         let em = Look::TEXT.size * super::line::FORMULA;
         let size = Look::TEXT.size * (room / (formula.width * em)).min(1.0);
@@ -163,7 +163,7 @@ impl Flow {
         self.gap(height + 4.0);
     }
 
-    /// A drawing as wide as the text.
+    /// A drawing with a frame around it.
     pub fn drawing(&mut self, drawing: &Drawing) {
         self.gap(4.0);
         self.keep(drawing.height + 20.0);
@@ -171,13 +171,16 @@ impl Flow {
         self.say(&format!("\n{}\n", drawing.in_words()));
         if let Some(page) = self.pages.last_mut() {
             page.include(drawing, at);
+            let frame = Frame { low: at, high: [at[0] + drawing.width, at[1] + drawing.height] };
+            let stroke = Stroke::solid(Theme::Light.palette().grid, 0.7);
+            page.put(Form::Rect { frame, fill: None, stroke: Some(stroke) }, None);
         }
         self.gap(drawing.height + 3.0);
     }
 
     /// A thin line across the text.
     pub fn rule(&mut self, from: f64, to: f64) {
-        let stroke = crate::view::Stroke::solid(Theme::Light.palette().grid, 0.7);
+        let stroke = Stroke::solid(Theme::Light.palette().faint, 0.5);
         let y = self.y;
         self.put(Form::Line { points: vec![[LEFT + from, y], [LEFT + to, y]], stroke });
     }
@@ -215,7 +218,15 @@ impl Flow {
         for (place, page) in self.pages.iter_mut().enumerate() {
             let foot = |text: String, x: f64, anchor| {
                 let colour = Theme::Light.palette().faint;
-                Form::Text(Text { at: [x, PAGE[1] - 30.0], text, anchor, size: 8.0, colour, face: Face::Sans, halo: None })
+                Form::Text(Text {
+                    at: [x, PAGE[1] - 30.0],
+                    text,
+                    anchor,
+                    size: 8.0,
+                    colour,
+                    face: Face::Sans,
+                    halo: None,
+                })
             };
             page.put(foot(title.to_owned(), LEFT, Anchor::Start), None);
             page.put(foot(format!("{} / {count}", place + 1), PAGE[0] - LEFT, Anchor::End), None);

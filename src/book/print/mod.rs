@@ -12,8 +12,8 @@ use crate::lesson::{Course, Finding, Posed, Scenes, Shelf, Stage};
 use crate::view::{Subject, Theme, View, pdf};
 use flow::{Flow, Look};
 
-/// Height of a drawing in points; its width is that of the text.
-const DRAWING: f64 = 292.0;
+/// Width and height of a drawing in points. Larger ones leave much of a page white where they do not fit on it.
+const DRAWING: [f64; 2] = [400.0, 236.0];
 
 /// A lesson as a PDF, and what is wrong with it.
 #[must_use]
@@ -104,10 +104,9 @@ impl Printer {
         if std::mem::replace(is_drawn, true) {
             return;
         }
-        let size = [flow::WIDTH, DRAWING];
         for view in views.iter().map(|view| view.value) {
             let scene = &stage.scene.scene;
-            let subject = Subject { scene, tree: &stage.tree, event: stage.event, size, theme: Theme::Light };
+            let subject = Subject { scene, tree: &stage.tree, event: stage.event, size: DRAWING, theme: Theme::Light };
             if let Some(drawing) = view.draw(&subject).or_else(|| view.draw_telling(&subject)) {
                 self.flow.drawing(&drawing);
                 self.flow.words(view.about, Look::SMALL);

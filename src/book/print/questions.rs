@@ -51,19 +51,19 @@ impl Flow {
             Form::Number(reckoned) | Form::Time(reckoned) => {
                 self.right(&with_unit(reckoned, reckoned.answer));
                 for (value, because) in &reckoned.wrong {
-                    self.wrong(&with_unit(reckoned, *value), because);
+                    self.wrong(&format!("Wrong: {}", with_unit(reckoned, *value)), because);
                 }
             }
             Form::Place(_, reckoned) => {
                 self.right(&spot(&reckoned.answer));
                 for (value, because) in &reckoned.wrong {
-                    self.wrong(&spot(value), because);
+                    self.wrong(&format!("Wrong: {}", spot(value)), because);
                 }
             }
             Form::Intervals(reckoned) => {
                 self.right(&in_words(&reckoned.answer));
                 for (list, because) in &reckoned.wrong {
-                    self.wrong(&in_words(list), because);
+                    self.wrong(&format!("Wrong: {}", in_words(list)), because);
                 }
             }
             Form::Choice(choices) => {
@@ -91,7 +91,7 @@ impl Flow {
     }
 
     fn wrong(&mut self, answer: &str, because: &[Block<Told>]) {
-        self.lines(glued_words(answer, Look::LABEL), INDENT, Look { after: 0.0, ..Look::TEXT });
+        self.lines(glued_words(answer, Look::TEXT), INDENT, Look { after: 0.0, ..Look::TEXT });
         self.prose(because, 2.0 * INDENT);
     }
 
@@ -112,7 +112,7 @@ impl Flow {
         }
         for (wrong, because) in posed.edit.wrong.iter().zip(&posed.because) {
             for change in &wrong.change {
-                self.wrong(&format!("{} = {}", change.at, change.to), because);
+                self.wrong(&format!("Wrong: {} = {}", change.at, change.to), because);
             }
         }
     }

@@ -3,7 +3,7 @@
 use crate::cli::failure::Failure;
 use crate::cli::output::Output;
 use crate::cli::progress::{stopped_by_ctrl_c, with_bar};
-use crate::lesson::{check_course, check_lesson, Scenes};
+use crate::lesson::{Scenes, check_course, check_lesson};
 use crate::lesson_folder::Lessons;
 use clap::Args;
 use std::fmt::Write;
@@ -26,10 +26,13 @@ impl Check {
         };
         let checked = match &lessons.chosen {
             Some(id) => {
-                let mut checked = lessons.course.lesson(id).map_or_else(Default::default, |lesson| {
-                    check_lesson(lesson, &Scenes::default(), &lessons.shelf)
-                });
-                checked.findings.extend(lessons.course.findings.iter().filter(|finding| finding.file.contains(id)).cloned());
+                let mut checked = lessons
+                    .course
+                    .lesson(id)
+                    .map_or_else(Default::default, |lesson| check_lesson(lesson, &Scenes::default(), &lessons.shelf));
+                checked
+                    .findings
+                    .extend(lessons.course.findings.iter().filter(|finding| finding.file.contains(id)).cloned());
                 checked.findings.sort();
                 checked.findings.dedup();
                 checked
@@ -38,12 +41,16 @@ impl Check {
                 let progress = stopped_by_ctrl_c();
                 let done = AtomicUsize::new(0);
                 let total = lessons.course.lessons.len();
-                let checked = with_bar(total, || done.load(Ordering::Relaxed), || {
-                    check_course(&lessons.course, &lessons.shelf, &mut |number, _| {
-                        done.store(number, Ordering::Relaxed);
-                        !progress.cancelled()
-                    })
-                });
+                let checked = with_bar(
+                    total,
+                    || done.load(Ordering::Relaxed),
+                    || {
+                        check_course(&lessons.course, &lessons.shelf, &mut |number, _| {
+                            done.store(number, Ordering::Relaxed);
+                            !progress.cancelled()
+                        })
+                    },
+                );
                 if progress.cancelled() {
                     return Err(Failure::interrupted("interrupted: not all lessons were checked"));
                 }

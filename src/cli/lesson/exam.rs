@@ -1,6 +1,6 @@
 //! `rayscope lesson exam`: questions on paper, and the teacher's sheet.
 
-use super::written::{question_text, Answers};
+use super::written::{Answers, question_text};
 use crate::cli::failure::Failure;
 use crate::cli::output::Output;
 use crate::lesson::{Exam as Drawn, NoShelf, Scenes};
@@ -52,10 +52,7 @@ impl Exam {
         for (number, question) in exam.questions.iter().enumerate() {
             let aim = question.stage.aim_in_words();
             let _ = writeln!(text, "## {}. {}\n\n{aim}.\n", number + 1, question.step);
-            text.push_str(&question_text(
-                &question.posed,
-                if self.answers { Answers::Shown } else { Answers::Hidden },
-            ));
+            text.push_str(&question_text(&question.posed, if self.answers { Answers::Shown } else { Answers::Hidden }));
             text.push('\n');
         }
         output.write(text.as_bytes())

@@ -69,7 +69,8 @@ impl Site<'_, '_> {
     }
 
     fn variant(&mut self, file: &VariantFile, step: &Aim) -> Aim {
-        let keys = Keys { scene: None, change: file.change.as_deref(), pixel: file.pixel, ray: file.ray, accuracy: None };
+        let keys =
+            Keys { scene: None, change: file.change.as_deref(), pixel: file.pixel, ray: file.ray, accuracy: None };
         self.aim(&keys, step)
     }
 
