@@ -20,7 +20,7 @@ mod source;
 mod stage;
 mod table;
 
-pub use check::{Checked, check_course, check_lesson};
+pub use check::{Checked, check_course, check_in_course, check_lesson};
 pub use course::{Course, EMBEDDED, LessonText};
 pub use exam::{Before, Exam, ExamQuestion};
 pub use glossary::{Glossary, Term};
