@@ -1,6 +1,6 @@
 //! How docked panels look: a card with a header of tabs, the tools of the panel that is seen at the right end of it.
 
-use super::focus_of;
+use super::{focus_of, header};
 use crate::app::frame::theme::{PADDING, Palette, bold};
 use crate::app::frame::words::say;
 use crate::app::pane::Pane;
@@ -15,6 +15,8 @@ use egui_tiles::{Behavior, SimplificationOptions, TabState, Tabs, TileId, Tiles,
 const HEADER: f32 = 30.0;
 /// The gap between two panels, in points; the handle that resizes them lies in it.
 const GAP: f32 = 6.0;
+/// Room at both sides of a tab's title, in points.
+const BESIDE_TITLE: f32 = 7.0;
 /// No panel becomes narrower or lower than this, in points.
 const SMALLEST: f32 = 96.0;
 
@@ -50,7 +52,8 @@ impl Docking<'_> {
             ui.label(RichText::new(say(ui.ctx(), pane.word())).family(bold()));
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                 self.workbench.alone_tools(ui, pane);
-                self.workbench.pane_tools(ui, pane);
+                let room = ui.available_width();
+                header::show(ui, self.workbench, pane, room);
             });
         });
         ui.scope_builder(UiBuilder::new().max_rect(body), |ui| self.body(ui, pane));
@@ -87,18 +90,18 @@ impl Behavior<Pane> for Docking<'_> {
 
     fn tab_title_for_pane(&mut self, pane: &Pane) -> WidgetText {
         let title = say(&self.workbench.ctx(), pane.word());
-        RichText::new(title).font(FontId::new(13.5, bold())).into()
+        RichText::new(title).font(title_font()).into()
     }
 
-    fn is_tab_closable(&self, tiles: &Tiles<Pane>, tile: TileId) -> bool {
-        // A panel that stands alone has a title rather than a tab; menus and keys close it.
-        tiles.parent_of(tile).and_then(|parent| tiles.get_container(parent)).is_some_and(|tabs| tabs.num_children() > 1)
+    fn tab_title_spacing(&self, _visuals: &Visuals) -> f32 {
+        BESIDE_TITLE
     }
 
     fn top_bar_right_ui(&mut self, tiles: &Tiles<Pane>, ui: &mut Ui, _tile: TileId, tabs: &Tabs, _scroll: &mut f32) {
         if let Some(pane) = tabs.active.and_then(|active| tiles.get_pane(&active)) {
             ui.add_space(6.0);
-            self.workbench.pane_tools(ui, *pane);
+            let room = ui.available_width() - width_of(tiles, ui, tabs);
+            header::show(ui, self.workbench, *pane, room);
         }
     }
 
@@ -146,4 +149,17 @@ impl Docking<'_> {
     fn palette(&self) -> Palette {
         Palette::current(&self.workbench.ctx())
     }
+}
+
+/// How much room all tabs of a header take.
+fn width_of(tiles: &Tiles<Pane>, ui: &Ui, tabs: &Tabs) -> f32 {
+    let width = |pane: &Pane| {
+        let title = say(ui.ctx(), pane.word());
+        ui.painter().layout_no_wrap(title, title_font(), Color32::WHITE).size().x + 2.0 * BESIDE_TITLE
+    };
+    tabs.children.iter().filter_map(|tile| tiles.get_pane(tile)).map(width).sum()
+}
+
+fn title_font() -> FontId {
+    FontId::new(13.0, bold())
 }

@@ -121,7 +121,8 @@ fn line_text(line: &Line<Told>) -> String {
         .collect()
 }
 
-fn table_text(head: &[Line<Told>], rows: &[Vec<Line<Told>>]) -> String {
+/// A table as Markdown.
+pub fn table_text(head: &[Line<Told>], rows: &[Vec<Line<Told>>]) -> String {
     let row = |cells: &[Line<Told>]| {
         let cells: Vec<_> = cells.iter().map(line_text).collect();
         format!("| {} |\n", cells.join(" | "))
