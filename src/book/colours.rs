@@ -54,8 +54,11 @@ impl Colours {
         if self.known.is_empty() {
             return String::new();
         }
-        let all = |of: usize| -> String {
-            self.known.iter().map(|(pair, number)| format!("--c{number}:#{};", pair[of])).collect()
+        let all = |of: usize| {
+            self.known.iter().fold(String::new(), |mut css, (pair, number)| {
+                let _ = write!(css, "--c{number}:#{};", pair[of]);
+                css
+            })
         };
         // On paper drawings are light, whatever the screen is.
         format!(":root{{{}}}@media screen and (prefers-color-scheme:dark){{:root{{{}}}}}", all(0), all(1))

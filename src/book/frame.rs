@@ -3,6 +3,7 @@
 use super::BookFile;
 use super::page::Page;
 use crate::view::{FontRole, escaped, fonts};
+use std::fmt::Write as _;
 
 const STYLE: &str = include_str!("../../assets/book/book.css");
 const SCRIPT: &str = include_str!("../../assets/book/search.js");
@@ -46,10 +47,11 @@ pub fn files() -> Vec<BookFile> {
             FontRole::Mono => ("Noto Sans Mono", "400"),
             FontRole::Fallback => ("Noto Sans Math", "400"),
         };
-        css.push_str(&format!(
-            "@font-face{{font-family:\"{family}\";font-weight:{weight};src:url(\"{path}\");font-display:swap{}}}\n",
-            range(font.role, font.name)
-        ));
+        let range = range(font.role, font.name);
+        let _ = writeln!(
+            css,
+            "@font-face{{font-family:\"{family}\";font-weight:{weight};src:url(\"{path}\");font-display:swap{range}}}"
+        );
         files.push(BookFile { path, bytes: font.bytes.to_vec() });
     }
     files.push(text("book.css", css + STYLE));
@@ -76,8 +78,10 @@ impl Page<'_> {
     /// The whole page.
     pub fn finished(&self, head: &Head) -> BookFile {
         let root = self.root;
-        let scripts: String =
-            head.scripts.iter().map(|path| format!("<script src=\"{root}{path}\" defer></script>\n")).collect();
+        let mut scripts = String::new();
+        for path in head.scripts {
+            let _ = writeln!(scripts, "<script src=\"{root}{path}\" defer></script>");
+        }
         let html = format!(
             "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
              <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\

@@ -5,6 +5,7 @@ use super::glossary::by_name;
 use super::{Book, BookFile};
 use crate::view::escaped;
 use std::collections::{BTreeMap, BTreeSet};
+use std::fmt::Write as _;
 
 /// Something that can be found.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -57,9 +58,12 @@ fn terms(entries: &[Entry], book: &Book) -> String {
             .map(|entry| format!("<li><a href=\"{}\">{}</a></li>", escaped(&entry.path), escaped(&entry.title)))
             .collect();
         let place = super::links::term(&term.name);
-        out += &format!("<dt><a href=\"glossary.html#{place}\">{}</a></dt>\n<dd><ul>", escaped(&shown(&term.name)));
-        out += &links.concat();
-        out += "</ul></dd>\n";
+        let name = escaped(&shown(&term.name));
+        let _ = write!(
+            out,
+            "<dt><a href=\"glossary.html#{place}\">{name}</a></dt>\n<dd><ul>{}</ul></dd>\n",
+            links.concat()
+        );
     }
     out + "</dl>\n"
 }
@@ -93,7 +97,9 @@ fn quoted(text: &str) -> String {
     for c in text.chars() {
         match c {
             '"' | '\\' => out.extend(['\\', c]),
-            '<' | '\u{2028}' | '\u{2029}' => out += &format!("\\u{:04x}", u32::from(c)),
+            '<' | '\u{2028}' | '\u{2029}' => {
+                let _ = write!(out, "\\u{:04x}", u32::from(c));
+            }
             c if c.is_control() => out.push(' '),
             c => out.push(c),
         }

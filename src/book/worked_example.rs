@@ -75,9 +75,9 @@ fn heading(example: &Example, scene: &Scene, picture: &str, page: &mut Page) {
     let shown = Shown { path: format!("{}{picture}", page.root), size, pixel: Some(example.pixel), words: &words };
     page.put(format_args!(
         "<header>\n<p class=\"kicker\">Worked example · {}</p>\n<h1>{}</h1>\n<p class=\"idea\">{}</p>\n</header>\n\
-         <figure class=\"scene\">{}<figcaption>{}</figcaption></figure>\n\
+         <div class=\"drawings\">\n<div><figure class=\"scene\">{}<figcaption>{}</figcaption></figure>\n\
          <div class=\"aim\"><p><a class=\"workbench\" href=\"{}\">Open in the workbench</a></p>\n\
-         <p>On the command line: <code>rayscope trace {} --pixel {x},{y}</code></p></div>\n",
+         <p>On the command line: <code>rayscope trace {} --pixel {x},{y}</code></p></div></div>\n",
         sections.join(", "),
         escaped(&example.title()),
         escaped(&scene.title),
@@ -88,8 +88,9 @@ fn heading(example: &Example, scene: &Scene, picture: &str, page: &mut Page) {
     ));
 }
 
+/// The drawings beside the picture, in what the heading opened for them.
 fn drawings(scene: &Scene, tree: &RayTree, page: &mut Page) {
-    page.put("<div class=\"drawings\">\n");
+    // No event in particular: each drawing is about what tells most.
     let drawn = Drawn { scene, tree, event: tree.end() };
     if let Some(side) = View::named("side") {
         drawn.figure(page, side);

@@ -4,7 +4,7 @@ use super::flow::{Flow, Look};
 use super::line::{glued, glued_words};
 use crate::book::questions::{in_words, kind_in_words, letter, lists, spot, with_unit};
 use crate::lesson::prose::{Block, Inline};
-use crate::lesson::question::{Form, PosedEdit};
+use crate::lesson::question::{Form, PosedEdit, Reckoned};
 use crate::lesson::{Posed, Told};
 
 /// How far what belongs to a question stands from the text.
@@ -47,25 +47,19 @@ impl Flow {
             self.words("Hint", Look { after: 0.0, ..Look::SMALL });
             self.prose(hint, INDENT);
         }
-        match &posed.form {
+        self.right_and_wrong(&posed.form);
+        if let Some(explain) = &posed.explain {
+            self.prose(explain, INDENT);
+        }
+    }
+
+    fn right_and_wrong(&mut self, form: &Form) {
+        match form {
             Form::Number(reckoned) | Form::Time(reckoned) => {
-                self.right(&with_unit(reckoned, reckoned.answer));
-                for (value, because) in &reckoned.wrong {
-                    self.wrong(&format!("Wrong: {}", with_unit(reckoned, *value)), because);
-                }
+                self.reckoned(reckoned, |value| with_unit(reckoned, *value));
             }
-            Form::Place(_, reckoned) => {
-                self.right(&spot(&reckoned.answer));
-                for (value, because) in &reckoned.wrong {
-                    self.wrong(&format!("Wrong: {}", spot(value)), because);
-                }
-            }
-            Form::Intervals(reckoned) => {
-                self.right(&in_words(&reckoned.answer));
-                for (list, because) in &reckoned.wrong {
-                    self.wrong(&format!("Wrong: {}", in_words(list)), because);
-                }
-            }
+            Form::Place(_, reckoned) => self.reckoned(reckoned, spot),
+            Form::Intervals(reckoned) => self.reckoned(reckoned, |list| in_words(list)),
             Form::Choice(choices) => {
                 for (place, choice) in choices.iter().enumerate() {
                     let said = if choice.is_right { "right" } else { "wrong" };
@@ -81,8 +75,12 @@ impl Flow {
             }
             Form::Edit(posed) => self.changes(posed),
         }
-        if let Some(explain) = &posed.explain {
-            self.prose(explain, INDENT);
+    }
+
+    fn reckoned<T>(&mut self, reckoned: &Reckoned<T>, written: impl Fn(&T) -> String) {
+        self.right(&written(&reckoned.answer));
+        for (value, because) in &reckoned.wrong {
+            self.wrong(&format!("Wrong: {}", written(value)), because);
         }
     }
 
