@@ -15,7 +15,7 @@ use rayscope::view::{Theme, timeline};
 const BOUND: f64 = 16.0;
 
 /// Frames for each line.
-const FRAMES: usize = 300;
+const FRAMES: usize = 120;
 
 fn main() {
     println!("milliseconds a frame while stepping, 1280 × 800; the bound for 95 % is {BOUND}");
@@ -44,8 +44,8 @@ fn print_steps(show: &mut Show, preset: Preset, level: Level, step: Step) {
     show.wait();
     let frames: Vec<Frame> = (0..FRAMES)
         .map(|turn| {
-            if turn % 30 == 0 {
-                let part = u32::try_from(turn / 30).expect("few turns");
+            if turn % (FRAMES / 10) == 0 {
+                let part = u32::try_from(turn / (FRAMES / 10)).expect("few turns");
                 show.workbench.select(events / 10 * part + events / 20);
             }
             show.workbench.run(Command::Step(StepCommand::Move(step)));

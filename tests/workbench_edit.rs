@@ -210,6 +210,25 @@ fn keys_move_what_is_chosen_while_the_picture_has_the_focus() {
 }
 
 #[test]
+fn another_shape_comes_with_its_own_parameters() {
+    let mut bench = open_editor("primitives/torus");
+    let before = text(&bench);
+    put_cursor(&mut bench, "\"shape\": \"torus\"", false);
+    reveal(&mut bench, Pane::Properties);
+    bench.get_by_role_and_label(Role::ComboBox, "shape").click();
+    settle(&mut bench);
+    bench.get_by_role_and_label(Role::Button, "superellipsoid").click_accesskit();
+    settle(&mut bench);
+    follow(&mut bench);
+    let after = text(&bench);
+    assert!(after.contains("\"shape\": \"superellipsoid\"") && after.contains("\"n\": "), "{after}");
+    assert!(!after.contains("\"d\":"), "{after}");
+    assert_eq!(workbench(&bench).problem(), None);
+    run(&mut bench, rayscope::app::Command::Edit(EditCommand::Undo));
+    assert_eq!(text(&bench), before, "it is one change");
+}
+
+#[test]
 fn words_are_found_and_gone_through() {
     let mut bench = open_editor("hello/sphere");
     workbench_mut(&mut bench).put_cursor(0);

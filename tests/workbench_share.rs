@@ -4,8 +4,9 @@
 mod hands;
 
 use egui::accesskit::Role;
-use egui::{Event, Key, Modifiers, OutputCommand};
+use egui::{Event, Key, Modifiers, OutputCommand, Vec2};
 use egui_kittest::kittest::Queryable;
+use hands::editing::type_text;
 use hands::*;
 use rayscope::app::{Aim, Command, Ending, Pane, Preset, Product, ShareCommand, ViewCommand};
 use rayscope::record::What;
@@ -73,6 +74,79 @@ fn a_link_that_is_copied_brings_back_all_that_is_seen() {
     assert_eq!(workbench(&other).shared(), None);
 }
 
+/// Another workbench in which a link was opened.
+fn follow<'a>(link: &str) -> Bench<'a> {
+    let mut other = open("hello/sphere");
+    let ctx = workbench(&other).ctx();
+    workbench_mut(&mut other).follow(&ctx, &link.parse().unwrap());
+    settle(&mut other);
+    other
+}
+
+#[test]
+fn a_link_brings_back_t_the_turned_overview_and_the_panels_that_are_seen() {
+    let mut bench = open("csg/bowl");
+    run(&mut bench, ViewCommand::Layout(Preset::Inspect));
+    for pane in [Pane::Overview, Pane::Signs, Pane::Properties] {
+        reveal(&mut bench, pane);
+    }
+    wait_until(&mut bench, "the drawings", |bench| {
+        bench.query_by_role_and_label(Role::Slider, "t on the ray").is_some()
+            && bench.query_by_role_and_label(Role::Image, "Overview").is_some()
+    });
+    let plot = bench.get_by_role_and_label(Role::Slider, "t on the ray").rect().center();
+    click(&mut bench, plot);
+    let corner = bench.get_by_role_and_label(Role::Image, "Overview").rect().left_top() + Vec2::splat(3.0);
+    click(&mut bench, corner);
+    press(&mut bench, Key::ArrowRight);
+    let link = link_of(&bench);
+    for part in ["&t=", "&orbit=", "overview", "signs", "properties"] {
+        assert!(link.contains(part), "{part}: {link}");
+    }
+    let other = follow(&link);
+    assert_eq!(link_of(&other), link);
+    let t = |bench: &Bench| workbench(bench).recording().unwrap().probe_t;
+    assert!(t(&other).is_some() && t(&other) == t(&bench));
+    for pane in [Pane::Overview, Pane::Signs, Pane::Properties] {
+        assert!(workbench(&other).dock().shows(pane), "{pane:?}");
+    }
+}
+
+#[test]
+fn the_link_of_an_edited_scene_carries_its_text_as_it_stands() {
+    let mut bench = open("csg/bowl");
+    assert!(!link_of(&bench).contains("text="), "everybody has this scene");
+    let text = workbench(&bench).document().text().to_owned();
+    let at = text.find("\"title\": \"").unwrap() + "\"title\": \"".len();
+    workbench_mut(&mut bench).put_cursor(at);
+    settle(&mut bench);
+    type_text(&mut bench, "My ");
+    wait_until(&mut bench, "the scene to follow its text", |bench| !workbench(bench).is_stale());
+    let link = link_of(&bench);
+    assert!(link.contains("text="), "{link}");
+    let other = follow(&link);
+    assert!(workbench(&other).scene().unwrap().scene.title.starts_with("My "));
+    assert_eq!(workbench(&other).document().text(), workbench(&bench).document().text());
+    type_text(&mut bench, "\"");
+    wait_until(&mut bench, "the error", |bench| workbench(bench).link().is_err());
+    assert!(workbench(&bench).link().unwrap_err().contains("has errors"));
+}
+
+#[test]
+fn a_link_does_not_take_the_place_of_an_unsaved_edit_without_asking() {
+    let mut bench = open("hello/sphere");
+    workbench_mut(&mut bench).put_cursor(2);
+    settle(&mut bench);
+    type_text(&mut bench, " ");
+    let ctx = workbench(&bench).ctx();
+    workbench_mut(&mut bench).follow(&ctx, &"rayscope:csg/bowl?pixel=5,6".parse().unwrap());
+    settle(&mut bench);
+    assert_eq!(workbench(&bench).scene().unwrap().name, "hello/sphere");
+    bench.get_by_role_and_label(Role::Button, "Don’t save").click();
+    settle(&mut bench);
+    assert_eq!((workbench(&bench).scene().unwrap().name.as_str(), pixel(&bench)), ("csg/bowl", [5, 6]));
+}
+
 #[test]
 fn a_link_is_pasted_into_a_field_that_says_what_is_wrong_with_it() {
     let mut bench = open("hello/sphere");
@@ -123,6 +197,7 @@ fn a_ray_and_a_scene_that_came_in_a_link_are_shown() {
     assert_eq!(workbench(&bench).scene().unwrap().scene.title, "Sent");
     let tree = &workbench(&bench).recording().unwrap().tree;
     assert!(matches!(tree.event(0).what, What::LooseRay { .. }));
+    assert!(link_of(&bench).contains("ray=0,0,9,0,0,-1"), "{}", link_of(&bench));
 }
 
 #[test]

@@ -17,6 +17,7 @@ impl Workbench {
         let ctx = ui.ctx().clone();
         self.settings.apply(&ctx, self.dock.preset().magnification());
         self.take_files(&ctx);
+        self.receive_opened(&ctx);
         self.advance_story(&ctx);
         self.arrive();
         // What lies over the workbench has the keys.
@@ -34,6 +35,7 @@ impl Workbench {
         ui.scope_builder(UiBuilder::new().id_salt("dock").max_rect(rest), |ui| dock::show(ui, self));
         self.show_help(ui);
         self.show_sharing(ui);
+        self.show_opening(&ctx);
         self.pause_what_is_not_seen();
         self.ask_questions(&ctx);
     }

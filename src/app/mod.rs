@@ -15,6 +15,7 @@ mod frame;
 mod help;
 mod kept;
 mod layout;
+mod opening;
 mod pane;
 mod panes;
 mod picture;

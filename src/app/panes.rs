@@ -10,7 +10,7 @@ use super::story::{detail, pane as story_pane};
 use super::workbench::{OpenScene, Workbench};
 use crate::record::Effect;
 use crate::scene::Scene;
-use egui::{Context, RichText, Ui, UiBuilder};
+use egui::{Context, Ui, UiBuilder};
 use std::sync::Arc;
 
 impl Workbench {
@@ -48,25 +48,21 @@ impl Workbench {
 
     /// The tools at the right end of a panel's header, from right to left.
     pub(in crate::app) fn pane_tools(&mut self, ui: &mut Ui, pane: Pane) {
-        let state = match pane {
-            Pane::Picture => {
-                self.move_switch(ui);
-                self.open.as_ref().map(|open| self.picture_state(ui.ctx(), open))
-            }
-            Pane::Editor => Some(self.editor_state(ui.ctx())),
-            Pane::Side => {
-                self.side.tools(ui);
-                None
-            }
-            Pane::Story => Some(story_pane::position(ui.ctx(), self)),
-            _ => {
-                self.drawings.tools(ui, pane, self.recording.as_mut());
-                None
-            }
-        };
+        match pane {
+            Pane::Picture => self.move_switch(ui),
+            Pane::Side => self.side.tools(ui),
+            _ => self.drawings.tools(ui, pane, self.recording.as_mut()),
+        }
         share::tools(ui, self, pane);
-        if let Some(state) = state {
-            ui.label(RichText::new(state).small().weak());
+    }
+
+    /// How things stand in a panel, in a few words.
+    pub(in crate::app) fn pane_state(&self, ctx: &Context, pane: Pane) -> Option<String> {
+        match pane {
+            Pane::Picture => self.open.as_ref().map(|open| self.picture_state(ctx, open)),
+            Pane::Editor => Some(self.editor_state(ctx)),
+            Pane::Story => Some(story_pane::position(ctx, self)),
+            _ => None,
         }
     }
 

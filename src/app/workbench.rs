@@ -13,9 +13,10 @@ use crate::app::effects::pane::EffectsPane;
 use crate::app::frame::file_dialog::FileDialog;
 use crate::app::frame::scene_menu::SceneMenu;
 use crate::app::frame::theme;
-use crate::app::frame::words::{say, say_with};
+use crate::app::frame::words::say;
 use crate::app::help::Help;
 use crate::app::kept;
+use crate::app::opening::{After, Opening, Source, unreadable};
 use crate::app::pane::Pane;
 use crate::app::picture::panel::ImagePanel;
 use crate::app::picture::renderer::Renderer;
@@ -25,11 +26,10 @@ use crate::app::share::Sharing;
 use crate::app::story::recording::Recording;
 use crate::app::story::stepping::Stepping;
 use crate::app::story::timeline::Timeline;
-use crate::folder::{Outside, files_of_scene};
+use crate::folder::Outside;
 use crate::record::EventId;
-use crate::scene::{Effects, EmbeddedScene, Profile, Scene, embedded_scene, embedded_scenes, load_with};
+use crate::scene::{Effects, Profile, Scene};
 use egui::Context;
-use std::path::Path;
 use std::sync::Arc;
 
 /// The scene that is open.
@@ -94,11 +94,12 @@ pub struct Workbench {
     pub(in crate::app) outside: Outside,
     pub(in crate::app) help: Help,
     pub(in crate::app) sharing: Sharing,
+    pub(in crate::app) opening: Opening,
     ctx: Context,
 }
 
 impl Workbench {
-    /// A workbench with a scene open. If the scene has errors, they are shown beside the scene for the first visit.
+    /// A workbench that opens a scene. If the scene has errors, they are shown beside the scene for the first visit.
     #[must_use]
     pub fn new(ctx: &Context, name: &str, text: &str, outside: Outside) -> Self {
         theme::install(ctx);
@@ -124,66 +125,27 @@ impl Workbench {
             editing: Editing::default(),
             help: Help::default(),
             sharing: Sharing::default(),
+            opening: Opening::default(),
             outside,
             ctx: ctx.clone(),
         };
-        workbench.open_text(ctx, name, text);
-        if workbench.open.is_none() {
-            let problem = workbench.problem.take();
-            if let Some(first) = first_scene() {
-                workbench.open_text(ctx, &first.name, first.text);
-            }
-            workbench.problem = problem.or(workbench.problem);
-        }
+        workbench.begin_opening(ctx, name, Source::Text(text.to_owned()), After::Nothing);
         workbench
     }
 
-    /// Opens a file, or the embedded scene of that name. If it has errors, they are shown and the old scene stays; if there are
-    /// unsaved changes, it is asked first.
+    /// Opens a file, or the embedded scene of that name; until it is there, the old scene stays, and longer if the new one has
+    /// errors, which are shown. If there are unsaved changes, it is asked first.
     pub fn open_scene(&mut self, ctx: &Context, name: &str) {
-        if !self.may_give_up(|| Then::Open(name.to_owned())) {
-            return;
-        }
-        let path = Path::new(name);
-        if let Some(embedded) = embedded_scene(name).filter(|_| !path.is_file()) {
-            self.open_text(ctx, name, embedded.text);
-            return;
-        }
-        match std::fs::read_to_string(path) {
-            Ok(text) => self.open_text(ctx, name, &text),
-            Err(error) => self.refuse(name, unreadable(&self.ctx, &error.to_string())),
+        if self.may_give_up(|| Then::Open(name.to_owned())) {
+            self.begin_opening(ctx, name, Source::Named, After::Nothing);
         }
     }
 
-    /// Opens the text of a scene file. If it has errors, they are shown and the old scene stays; if there are unsaved changes, it is
-    /// asked first.
+    /// Opens the text of a scene file, likewise.
     pub fn open_text(&mut self, ctx: &Context, name: &str, text: &str) {
         if self.may_give_up(|| Then::OpenText(name.to_owned(), text.to_owned())) {
-            self.open_unguarded(ctx, name, text);
+            self.begin_opening(ctx, name, Source::Text(text.to_owned()), After::Nothing);
         }
-    }
-
-    /// Opens the text of a scene file whatever becomes of the one that is open.
-    pub(in crate::app) fn open_unguarded(&mut self, ctx: &Context, name: &str, text: &str) {
-        let scene = match load_with(text, name, files_of_scene(name, self.outside).as_ref()) {
-            Ok(scene) => Arc::new(scene),
-            Err(diagnostics) => {
-                self.refuse(name, diagnostics.to_string());
-                return;
-            }
-        };
-        self.problem = None;
-        self.image.reset();
-        self.side.fit();
-        self.renderer.start(ctx, &scene);
-        let middle = [scene.image.width / 2, scene.image.height / 2];
-        let pixel = scene.pixels.first().copied().unwrap_or(middle);
-        self.effects.reset();
-        self.accuracy.reset();
-        let whole = Arc::clone(&scene);
-        self.open = Some(OpenScene { name: name.to_owned(), scene, whole, look: None });
-        self.editing.open(name, text);
-        self.record(pixel);
     }
 
     pub(in crate::app) fn refuse(&mut self, name: &str, text: String) {
@@ -371,15 +333,4 @@ impl Workbench {
             }
         }
     }
-}
-
-fn unreadable(ctx: &Context, error: &str) -> String {
-    say_with(ctx, "file-unreadable", &[("error", error.into())])
-}
-
-/// The scene for the first visit.
-fn first_scene() -> Option<EmbeddedScene> {
-    let mut scenes = embedded_scenes();
-    let hello = scenes.iter().position(|scene| scene.name.starts_with("hello/")).unwrap_or(0);
-    (hello < scenes.len()).then(|| scenes.swap_remove(hello))
 }

@@ -55,12 +55,22 @@ impl Guide {
     /// A solid of a shape, with the parameters that it needs.
     #[must_use]
     pub fn solid(&self, shape: &str) -> Value {
-        let rules = self.definition("#/$defs/SolidFile").map(|rule| self.allowed(vec![rule]).rules).unwrap_or_default();
-        let is_it = |rule: &&&Rule| {
+        self.rule_of(shape).map_or_else(|| serde_json::json!({ "shape": shape }), |rule| self.example_object(rule))
+    }
+
+    /// Whether a solid of a shape may have a field of this name.
+    #[must_use]
+    pub fn takes(&self, shape: &str, field: &str) -> bool {
+        let properties = self.rule_of(shape).and_then(|rule| rule.get("properties"));
+        properties.is_some_and(|properties| properties.get(field).is_some())
+    }
+
+    fn rule_of(&self, shape: &str) -> Option<&Rule> {
+        let rules = self.allowed(vec![self.definition("#/$defs/SolidFile")?]).rules;
+        rules.into_iter().find(|rule| {
             let tag = rule.get("properties").and_then(|properties| properties.get("shape")?.get("const"));
             tag.is_some_and(|tag| tag == shape)
-        };
-        rules.iter().find(is_it).map_or_else(|| serde_json::json!({ "shape": shape }), |rule| self.example_object(rule))
+        })
     }
 
     fn allowed<'g>(&'g self, uses: Vec<&'g Rule>) -> Allowed<'g> {

@@ -2,7 +2,7 @@
 
 use super::completion::{is_meant, names_for, value_at};
 use super::guide::{Allowed, Guide, Rule};
-use super::place::Place;
+use super::place::{Place, Step};
 use serde_json::Value;
 
 /// What a property is changed with.
@@ -137,6 +137,9 @@ impl Sheet<'_> {
 
     fn control(&self, place: &Place, allowed: &Allowed, written: Option<&Value>) -> Option<Control> {
         let value = written.or_else(|| allowed.default());
+        if let Some(shapes) = self.shapes(place, value) {
+            return Some(shapes);
+        }
         if let Some(names) = names_for(self.whole, place) {
             return Some(Control::Name(text_of(value), names));
         }
@@ -156,6 +159,26 @@ impl Sheet<'_> {
             None if allowed.takes("boolean") => Some(Control::Switch(false)),
             _ => None,
         }
+    }
+
+    /// Every shape that a solid can have, not only those that its parameters fit: another shape comes with its own.
+    fn shapes(&self, place: &Place, shape: Option<&Value>) -> Option<Control> {
+        let (solid, Step::Field(name)) = place.parent()? else { return None };
+        if name != "shape" {
+            return None;
+        }
+        let shape = text_of(shape);
+        // A copy needs a solid to be a copy of.
+        let has_solids = names_for(self.whole, &solid.field("solid")).is_some_and(|names| !names.is_empty());
+        let shape_of = |rule: &&Rule| word(&rule.get("properties")?.get("shape")?.as_object()?);
+        let allowed = self.guide.at(self.whole, &solid);
+        let meant = allowed
+            .rules
+            .iter()
+            .filter_map(shape_of)
+            .filter(|(other, _)| has_solids || other != "copy" || *other == shape);
+        let words: Vec<(String, String)> = meant.collect();
+        (words.len() > 1).then_some(Control::Choice(shape, words))
     }
 }
 
@@ -267,6 +290,23 @@ mod tests {
         let part = sheet(&bowl(), &Place::read("objects[0].of[2]").unwrap());
         let Control::Name(name, names) = property(&part, "objects[0].of[2].material").control else { panic!() };
         assert_eq!((name.as_str(), names.len()), ("rim", 4));
+    }
+
+    #[test]
+    fn every_solid_can_have_another_shape_whatever_its_parameters() {
+        for scene in crate::scene::embedded_scenes() {
+            let whole: Value = serde_json::from_str(scene.text).unwrap();
+            for target in crate::document::targets(&whole) {
+                let Some(shape) = value_at(&whole, &target.place.field("shape")) else { continue };
+                let sections = sheet(&whole, &target.place);
+                let place = format!("{}.shape", target.place);
+                let Control::Choice(word, words) = property(&sections, &place).control else { panic!("{place}") };
+                assert_eq!(*shape, word);
+                let has = |name: &str| words.iter().any(|(word, _)| word == name);
+                assert!(has("torus") && has("sphere") && has("union"), "{}: {place}", scene.name);
+                assert_eq!(has("copy"), whole.get("solids").is_some(), "{}: {place}", scene.name);
+            }
+        }
     }
 
     #[test]

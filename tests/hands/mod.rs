@@ -39,14 +39,16 @@ pub fn open<'a>(scene: &str) -> Bench<'a> {
     open_at(scene, Vec2::new(1280.0, 800.0))
 }
 
-/// A few frames: for layout, focus and events to arrive, and for what is being recorded to be shown.
+/// A few frames: for layout, focus and events to arrive, and for what is being opened or recorded to be shown.
 pub fn settle(bench: &mut Bench) {
     for _ in 0..4 {
         bench.step();
     }
-    let is_recording = |bench: &Bench| bench.state().as_ref().is_some_and(|bench| bench.stepping().is_recording());
-    if is_recording(bench) {
-        wait_until(bench, "the recording", |bench| !is_recording(bench));
+    let is_waiting = |bench: &Bench| {
+        bench.state().as_ref().is_some_and(|bench| bench.is_opening() || bench.stepping().is_recording())
+    };
+    if is_waiting(bench) {
+        wait_until(bench, "the scene and the recording", |bench| !is_waiting(bench));
         settle(bench);
     }
 }

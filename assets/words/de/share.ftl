@@ -51,3 +51,4 @@ share-link-field = Link
 share-link-follow = Öffnen
 share-link-unknown = Der Link verlangt „{ $name }“, was dieses rayscope nicht hat; alles Übrige wird gezeigt.
 share-link-outside = Das Pixel ({ $x }, { $y }) des Links liegt außerhalb des Bildes, das sich seither geändert hat.
+share-link-flawed = Der Text der Szene hat Fehler, so dass niemand den Link öffnen könnte; behebe sie zuerst.

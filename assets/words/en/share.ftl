@@ -51,3 +51,4 @@ share-link-field = Link
 share-link-follow = Open
 share-link-unknown = The link asks for “{ $name }”, which this rayscope does not have; the rest is shown.
 share-link-outside = The link’s pixel ({ $x }, { $y }) lies outside the picture, which has changed since.
+share-link-flawed = The text of the scene has errors, so that nobody could open the link; correct them first.

@@ -9,7 +9,7 @@ use crate::app::workbench::OpenScene;
 use crate::cpu_time;
 use crate::laboratory::{MapKind, NoStore, Plan, Study, Tools, study};
 use crate::scene::Scene;
-use egui::{Align, Button, Context, Layout, Rect, ScrollArea, Ui, UiBuilder, vec2};
+use egui::{Button, Context, Rect, ScrollArea, Ui, UiBuilder, vec2};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
@@ -67,18 +67,16 @@ impl ImageScope {
     /// Shows plot or map, settings and the chosen one; returns what is asked for.
     pub fn ui(&mut self, ui: &mut Ui, open: &OpenScene) -> Option<Wish> {
         self.measure(ui, &open.whole);
-        ui.horizontal(|ui| {
+        ui.horizontal_wrapped(|ui| {
             ui.selectable_value(&mut self.view, View::Plot, say(ui.ctx(), "accuracy-plot"));
             for (kind, word) in MAPS {
                 let tip = say(ui.ctx(), &format!("{word}-about"));
                 ui.selectable_value(&mut self.view, View::Map(kind), say(ui.ctx(), word)).on_hover_text(tip);
             }
-            ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-                let again = ui.add_enabled(self.job.is_none(), Button::new(say(ui.ctx(), "accuracy-again")));
-                if again.on_hover_text(say(ui.ctx(), "accuracy-again-about")).clicked() {
-                    *self = Self { chosen: self.chosen.take(), view: self.view, ..Self::default() };
-                }
-            });
+            let again = ui.add_enabled(self.job.is_none(), Button::new(say(ui.ctx(), "accuracy-again")));
+            if again.on_hover_text(say(ui.ctx(), "accuracy-again-about")).clicked() {
+                *self = Self { chosen: self.chosen.take(), view: self.view, ..Self::default() };
+            }
         });
         let whole = ui.available_rect_before_wrap();
         let (left, right) = whole.split_left_right_at_x(whole.right() - COLUMN);

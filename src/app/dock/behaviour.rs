@@ -1,6 +1,6 @@
 //! How docked panels look: a card with a header of tabs, the tools of the panel that is seen at the right end of it.
 
-use super::focus_of;
+use super::{focus_of, header};
 use crate::app::frame::theme::{PADDING, Palette, bold};
 use crate::app::frame::words::say;
 use crate::app::pane::Pane;
@@ -15,6 +15,8 @@ use egui_tiles::{Behavior, SimplificationOptions, TabState, Tabs, TileId, Tiles,
 const HEADER: f32 = 30.0;
 /// The gap between two panels, in points; the handle that resizes them lies in it.
 const GAP: f32 = 6.0;
+/// Between a tab's title and the cross that closes it, in points; `egui_tiles` has it so.
+const CLOSING: f32 = 4.0;
 /// No panel becomes narrower or lower than this, in points.
 const SMALLEST: f32 = 96.0;
 
@@ -50,7 +52,8 @@ impl Docking<'_> {
             ui.label(RichText::new(say(ui.ctx(), pane.word())).family(bold()));
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                 self.workbench.alone_tools(ui, pane);
-                self.workbench.pane_tools(ui, pane);
+                let room = ui.available_width();
+                header::show(ui, self.workbench, pane, room);
             });
         });
         ui.scope_builder(UiBuilder::new().max_rect(body), |ui| self.body(ui, pane));
@@ -87,7 +90,7 @@ impl Behavior<Pane> for Docking<'_> {
 
     fn tab_title_for_pane(&mut self, pane: &Pane) -> WidgetText {
         let title = say(&self.workbench.ctx(), pane.word());
-        RichText::new(title).font(FontId::new(13.5, bold())).into()
+        RichText::new(title).font(title_font()).into()
     }
 
     fn is_tab_closable(&self, tiles: &Tiles<Pane>, tile: TileId) -> bool {
@@ -98,7 +101,8 @@ impl Behavior<Pane> for Docking<'_> {
     fn top_bar_right_ui(&mut self, tiles: &Tiles<Pane>, ui: &mut Ui, _tile: TileId, tabs: &Tabs, _scroll: &mut f32) {
         if let Some(pane) = tabs.active.and_then(|active| tiles.get_pane(&active)) {
             ui.add_space(6.0);
-            self.workbench.pane_tools(ui, *pane);
+            let room = ui.available_width() - self.width_of(tiles, ui, tabs);
+            header::show(ui, self.workbench, *pane, room);
         }
     }
 
@@ -146,4 +150,19 @@ impl Docking<'_> {
     fn palette(&self) -> Palette {
         Palette::current(&self.workbench.ctx())
     }
+
+    /// How much room all tabs of a header take.
+    fn width_of(&self, tiles: &Tiles<Pane>, ui: &Ui, tabs: &Tabs) -> f32 {
+        let closing = if tabs.children.len() > 1 { CLOSING + self.close_button_outer_size() } else { 0.0 };
+        let around = 2.0 * self.tab_title_spacing(ui.visuals()) + closing;
+        let width = |pane: &Pane| {
+            let title = say(ui.ctx(), pane.word());
+            ui.painter().layout_no_wrap(title, title_font(), Color32::WHITE).size().x + around
+        };
+        tabs.children.iter().filter_map(|tile| tiles.get_pane(tile)).map(width).sum()
+    }
+}
+
+fn title_font() -> FontId {
+    FontId::new(13.5, bold())
 }

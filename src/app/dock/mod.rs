@@ -1,6 +1,7 @@
 //! Where the panels lie: docked, behind each other as tabs, resized; one layout for each purpose, each kept as it was left.
 
 mod behaviour;
+mod header;
 mod preset;
 mod resize;
 

@@ -65,6 +65,17 @@ impl Drawings {
         }
     }
 
+    /// How the overview is turned: yaw and pitch in degrees, and the zoom. None where one looks through the scene's own camera.
+    #[must_use]
+    pub fn orbit(&self) -> Option<[f64; 3]> {
+        self.overview.orbit()
+    }
+
+    /// Turns the overview so.
+    pub fn turn_to(&mut self, orbit: [f64; 3]) {
+        self.overview.turn_to(orbit);
+    }
+
     fn linked(&mut self, pane: Pane) -> Option<&mut LinkedPane> {
         match pane {
             Pane::Generic => Some(&mut self.generic),

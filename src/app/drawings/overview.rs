@@ -4,6 +4,7 @@ use super::canvas::Canvas;
 use super::seen::{REACH, Seen, describe, focus_ring};
 use crate::app::frame::words::say;
 use crate::app::story::recording::Recording;
+use crate::document::rounded;
 use crate::record::EventId;
 use crate::scene::Scene;
 use crate::view::{Drawing, OverviewOptions, Stand, Wireframe, overview};
@@ -124,6 +125,21 @@ impl OverviewPane {
         }
         let closer = pressed(KeyName::Plus) + pressed(KeyName::Equals) - pressed(KeyName::Minus);
         self.zoom(KEY_ZOOM.powf(closer));
+    }
+
+    /// How it is turned: yaw and pitch in degrees, and the zoom. None where one looks through the scene's own camera.
+    #[must_use]
+    pub fn orbit(&self) -> Option<[f64; 3]> {
+        let View { yaw, pitch, zoom, is_camera, .. } = self.view;
+        // Nobody sees a thousandth of a degree.
+        (!is_camera).then(|| [yaw.to_degrees(), pitch.to_degrees(), zoom].map(|x| rounded(x, 3)))
+    }
+
+    /// Turns it so.
+    pub fn turn_to(&mut self, [yaw, pitch, zoom]: [f64; 3]) {
+        self.view = View { yaw: 0.0, pitch: 0.0, is_perspective: self.view.is_perspective, ..View::default() };
+        self.turn(yaw.to_radians(), pitch.to_radians());
+        self.zoom(zoom);
     }
 
     /// Whoever turns the view leaves the scene's own camera.

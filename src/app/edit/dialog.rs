@@ -4,15 +4,18 @@ use crate::app::edit::recovery::{Offer, minutes_since};
 use crate::app::frame::theme::{Palette, bold};
 use crate::app::frame::words::{say, say_with};
 use crate::document::{Line, Template, compare_lines, with_context};
+use crate::share::link::Link;
 use egui::{Color32, Context, Id, Modal, RichText, Role, ScrollArea, Ui, WidgetInfo};
 
 /// What is to be done once unsaved changes are settled.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Then {
     /// Opens a scene by name, or a file.
     Open(String),
     /// Opens a text under a name.
     OpenText(String, String),
+    /// Restores what a link says.
+    Follow(Box<Link>),
     /// Begins a new scene.
     New(Template),
     /// Closes the window.
@@ -20,7 +23,7 @@ pub enum Then {
 }
 
 /// A question about unsaved changes.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Guard {
     /// What was asked for.
     pub then: Then,

@@ -4,9 +4,10 @@ use crate::app::edit::dialog::{self, Answer, Choice, Guard, Then};
 use crate::app::edit::editor::Editor;
 use crate::app::edit::frame_box::{draw_box, draw_spot, place_of_light};
 use crate::app::edit::live::{Followed, Order as CompileOrder};
-use crate::app::edit::recovery::Recovery;
+use crate::app::edit::recovery::{Offer, Recovery};
 use crate::app::edit::saving::{Order as SaveOrder, Place, Refusal, Written, pictures_of};
 use crate::app::frame::words::{say, say_with};
+use crate::app::opening::{After, Source};
 use crate::app::pane::Pane;
 use crate::app::story::recording::Recording;
 use crate::app::workbench::Workbench;
@@ -103,7 +104,7 @@ impl Workbench {
     /// that one is saved, or at the next start.
     pub(in crate::app) fn is_asking(&self) -> bool {
         let has_offer = self.editing.recovery.as_ref().is_some_and(|recovery| recovery.offer().is_some());
-        self.editing.guard.is_some() || (has_offer && !self.editing.document.is_dirty())
+        self.editing.guard.is_some() || (has_offer && !self.editing.document.is_dirty() && !self.is_opening())
     }
 
     fn settle(&mut self, ctx: &Context, then: Then, answer: Answer) {
@@ -123,19 +124,28 @@ impl Workbench {
     fn settle_offer(&mut self, ctx: &Context, choice: Choice) {
         let Some(offer) = self.editing.recovery.as_mut().and_then(Recovery::later) else { return };
         match choice {
-            Choice::Later => return,
-            Choice::Discard => {}
+            Choice::Later => {}
+            Choice::Discard => {
+                if let Some(recovery) = &mut self.editing.recovery {
+                    recovery.remove(&offer);
+                }
+            }
             Choice::Recover => {
-                let state = &offer.state;
-                self.open_unguarded(ctx, &state.name, &state.saved);
-                self.editing.name.clone_from(&state.name);
-                self.editing.take_up(state, &say(ctx, "edit-cause-recover"));
-                self.reveal(Pane::Editor);
+                let source = Source::Text(offer.state.saved.clone());
+                let name = offer.state.name.clone();
+                self.begin_opening(ctx, &name, source, After::TakeUp(Box::new(offer)));
             }
         }
+    }
+
+    /// Takes up an edit that was left behind, over the scene as it was saved.
+    pub(in crate::app) fn take_up_edit(&mut self, ctx: &Context, offer: &Offer) {
+        self.editing.name.clone_from(&offer.state.name);
+        self.editing.take_up(&offer.state, &say(ctx, "edit-cause-recover"));
+        self.reveal(Pane::Editor);
         if let Some(mut recovery) = self.editing.recovery.take() {
             recovery.note(&self.editing.document, &self.editing.name);
-            recovery.remove(&offer);
+            recovery.remove(offer);
             self.editing.recovery = Some(recovery);
         }
     }
@@ -144,6 +154,7 @@ impl Workbench {
         match then {
             Then::Open(name) => self.open_scene(ctx, &name),
             Then::OpenText(name, text) => self.open_text(ctx, &name, &text),
+            Then::Follow(link) => self.follow(ctx, &link),
             Then::New(template) => self.begin_new(ctx, template),
             Then::Close => ctx.send_viewport_cmd(ViewportCommand::Close),
         }
@@ -372,7 +383,7 @@ impl Workbench {
 
     pub(in crate::app) fn begin_new(&mut self, ctx: &Context, template: Template) {
         if self.may_give_up(|| Then::New(template)) {
-            self.open_unguarded(ctx, &say(ctx, "edit-untitled"), &template.text());
+            self.begin_opening(ctx, &say(ctx, "edit-untitled"), Source::Text(template.text()), After::Nothing);
             self.reveal(Pane::Editor);
         }
     }

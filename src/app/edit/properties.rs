@@ -5,7 +5,7 @@ use crate::app::edit::field;
 use crate::app::frame::empty::empty;
 use crate::app::frame::theme::{Palette, bold};
 use crate::app::frame::words::{say, say_with};
-use crate::document::{Cause, Guide, Place, Property, Section, Target, TargetKind, sheet, value_at};
+use crate::document::{Cause, Guide, Place, Property, Section, Target, TargetKind, names_for, sheet, value_at};
 use crate::record::EventId;
 use crate::shape::Shape;
 use egui::{ComboBox, Grid, RichText, ScrollArea, Ui, UiBuilder, vec2};
@@ -134,17 +134,20 @@ impl Editing {
 }
 
 impl Editing {
-    /// Another shape has other parameters: those of the old one go, those that the new one needs come.
+    /// Another shape has other parameters: those that it does not take go, those that it needs come.
     fn exchange_parameters(&mut self, tag: &Place, shape: &Value, cause: &Cause) {
         let Some((solid, _)) = tag.parent() else { return };
-        let old = value_at(self.whole(), tag).and_then(Value::as_str).unwrap_or_default().to_owned();
-        let [old, new] = [&old, shape.as_str().unwrap_or_default()].map(|shape| Guide::scene().solid(shape));
+        let (guide, shape) = (Guide::scene(), shape.as_str().unwrap_or_default());
         let fields = |value: &Value| value.as_object().cloned().unwrap_or_default();
-        for (name, _) in fields(&old).iter().filter(|(name, _)| new.get(name.as_str()).is_none()) {
+        let written = value_at(self.whole(), &solid).map(fields).unwrap_or_default();
+        for name in written.keys().filter(|name| !guide.takes(shape, name)) {
             self.restructure(cause.clone(), |structure| structure.remove(&solid.field(name)));
         }
-        for (name, value) in fields(&new).into_iter().filter(|(name, _)| old.get(name.as_str()).is_none()) {
-            self.set(&[(solid.field(&name), value)], cause);
+        for (name, value) in fields(&guide.solid(shape)).into_iter().filter(|(name, _)| !written.contains_key(name)) {
+            let place = solid.field(&name);
+            // What has to be the name of something else is the name of the first that there is.
+            let first = names_for(self.whole(), &place).and_then(|names| names.into_iter().next());
+            self.set(&[(place, first.map_or(value, Value::from))], cause);
         }
     }
 }

@@ -58,9 +58,9 @@ impl<T: Send + 'static> Background<T> {
         lock(&self.latest).result.take()
     }
 
-    /// Whether all work is done.
+    /// Whether all work is done, or its thread died, which leaves nobody else to hold the results.
     pub fn is_finished(&self) -> bool {
-        lock(&self.latest).finished
+        lock(&self.latest).finished || Arc::strong_count(&self.latest) == 1
     }
 
     /// How many pixels it has finished.

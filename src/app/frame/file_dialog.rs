@@ -1,5 +1,6 @@
 //! The system's dialogue for choosing a file, on a thread of its own so that the window goes on working.
 
+use crate::app::frame::words::say;
 use egui::Context;
 use std::path::PathBuf;
 use std::sync::mpsc::{Receiver, TryRecvError, channel};
@@ -13,7 +14,7 @@ pub struct FileDialog {
 impl FileDialog {
     /// Opens the dialogue for scenes unless it is open.
     pub fn open(&mut self, ctx: &Context) {
-        self.open_for(ctx, "Open a scene".to_owned(), "Scene files".to_owned(), &["json"]);
+        self.open_for(ctx, say(ctx, "file-open"), say(ctx, "file-scenes"), &["json"]);
     }
 
     /// Opens a dialogue of this title for files of a kind, unless one is open.

@@ -12,12 +12,12 @@ pub use product::{Ending, Product};
 
 use crate::app::frame::words::{say, say_with};
 use crate::app::workbench::Workbench;
-use crate::share::link::EventPlace;
 use crate::view::View;
 use egui::{Context, Ui};
 use field::LinkField;
 use notice::Notice;
 use product::{Material, Result};
+use restore::Awaited;
 use saving::Saving;
 use std::path::PathBuf;
 
@@ -30,8 +30,8 @@ pub struct Sharing {
     notice: Option<Notice>,
     /// The field for a link, while it is open.
     field: Option<LinkField>,
-    /// The event of a link whose pixel is still being recorded.
-    awaited: Option<([u32; 2], EventPlace)>,
+    /// What of a link waits for its pixel to be recorded.
+    awaited: Option<Awaited>,
 }
 
 /// What becomes of what is made.
@@ -105,7 +105,7 @@ impl Workbench {
     /// Once a frame: takes in what was made and what was asked for.
     pub(in crate::app) fn show_sharing(&mut self, ui: &mut Ui) {
         let ctx = ui.ctx().clone();
-        self.find_awaited(&ctx);
+        self.find_awaited();
         if let Some(result) = self.sharing.saving.as_ref().and_then(Saving::take) {
             self.sharing.saving = None;
             self.sharing.notice = told(&ctx, result);

@@ -3,42 +3,50 @@
 use super::Notice;
 use super::menu::views_of;
 use crate::app::dock::Preset;
+use crate::app::edit::dialog::Then;
 use crate::app::frame::theme::drawing_theme;
-use crate::app::frame::words::say_with;
+use crate::app::frame::words::{say, say_with};
+use crate::app::opening::{After, Source};
 use crate::app::pane::Pane;
 use crate::app::story::recording::Recording;
 use crate::app::workbench::{Look, OpenScene, Workbench};
-use crate::record::Effect;
+use crate::record::{Effect, What};
 use crate::scene::{Effects, Profile, embedded_scene};
 use crate::share::link::{Accuracy, Aim, EventPlace, Link};
 use crate::story::Level;
 use crate::trace::record_ray;
-use crate::view::Theme;
+use crate::view::{Theme, View};
 use crate::words::Language;
 use egui::{Context, ThemePreference};
+use glam::DVec3;
 use std::path::Path;
 use std::sync::Arc;
 
 /// What the names of layouts begin with in the catalogue of words.
 const PRESET: &str = "preset-";
+/// And those of panels.
+const PANE: &str = "pane-";
 
 impl Workbench {
     /// A link to what is seen.
     ///
     /// # Errors
-    /// Says why there is none: no scene, or one whose text is not at hand or too long.
+    /// Says why there is none: no scene, or one whose text has errors or is too long.
     pub fn link(&self) -> Result<String, String> {
         let ctx = self.ctx();
-        let open = self.open.as_ref().ok_or_else(|| crate::app::frame::words::say(&ctx, "no-scene"))?;
+        let open = self.open.as_ref().ok_or_else(|| say(&ctx, "no-scene"))?;
         let place = |recording: &Recording| EventPlace::of(&recording.tree, recording.selected());
         let link = Link {
-            text: text_of(open)?,
-            aim: self.recording.as_ref().map(|recording| Aim::Pixel(recording.pixel)),
+            text: self.text_for_link(&ctx, open)?,
+            aim: self.recording.as_ref().map(aim_of),
             event: self.recording.as_ref().map(place),
             level: Some(self.stepping.level.name().to_owned()),
             preset: self.dock.preset().word().strip_prefix(PRESET).map(str::to_owned),
+            views: self.dock.visible().into_iter().map(|pane| name_of(pane).to_owned()).collect(),
             theme: Some(drawing_theme(&ctx)),
             language: Some(self.settings.language.tag().to_owned()),
+            t: self.recording.as_ref().and_then(|recording| recording.probe_t),
+            orbit: self.drawings.orbit().filter(|_| self.dock.shows(Pane::Overview)),
             accuracy: open.look.as_ref().map(accuracy_of).transpose()?,
             effects: switched_off(open),
             ..Link::to_scene(&open.name)
@@ -46,22 +54,35 @@ impl Workbench {
         link.written().map_err(|error| error.to_string())
     }
 
-    /// Restores what a link says. What it says of things that there are no longer is told and passed over.
-    pub fn follow(&mut self, ctx: &Context, link: &Link) {
-        self.problem = None;
-        match &link.text {
-            Some(text) => self.open_text(ctx, &link.scene, text),
-            None => self.open_scene(ctx, &link.scene),
+    /// The text of the scene as it stands in the editor; none where it is one that comes with the program.
+    fn text_for_link(&self, ctx: &Context, open: &OpenScene) -> Result<Option<String>, String> {
+        if !self.editing.flaws.is_empty() {
+            return Err(say(ctx, "share-link-flawed"));
         }
-        if self.problem.is_some() {
+        let text = self.document().text();
+        let embedded = embedded_scene(&open.name).filter(|_| !Path::new(&open.name).is_file());
+        let is_known = embedded.is_some_and(|scene| scene.text == text);
+        Ok((!is_known).then(|| text.to_owned()))
+    }
+
+    /// Opens the scene of a link and restores what the link says; if there are unsaved changes, it is asked first.
+    pub fn follow(&mut self, ctx: &Context, link: &Link) {
+        if !self.may_give_up(|| Then::Follow(Box::new(link.clone()))) {
             return;
         }
+        self.problem = None;
+        let source = link.text.clone().map_or(Source::Named, Source::Text);
+        self.begin_opening(ctx, &link.scene, source, After::Restore(Box::new(link.clone())));
+    }
+
+    /// Restores what a link says of the scene that is open. What it says of things that there are no longer is told and passed over.
+    pub(in crate::app) fn restore(&mut self, ctx: &Context, link: &Link) {
         let mut notices = Vec::new();
         self.follow_look(ctx, link, &mut notices);
         self.follow_frame(ctx, link, &mut notices);
         self.follow_aim(link, &mut notices);
         self.sharing.notice = (!notices.is_empty()).then(|| Notice::bad(notices.join("\n")));
-        self.find_awaited(ctx);
+        self.find_awaited();
     }
 
     /// The accuracy that the scene is looked at with, and the effects that are on.
@@ -93,8 +114,10 @@ impl Workbench {
             Language::of_tag(tag).map_or_else(|| unknown(tag), |language| self.settings.language = language);
         }
         for name in &link.views {
-            let pane = Pane::ALL.into_iter().find(|&pane| views_of(pane).iter().any(|view| view.name == name));
-            pane.map_or_else(|| unknown(name), |pane| self.dock.reveal(pane));
+            pane_named(name).map_or_else(|| unknown(name), |pane| self.dock.reveal(pane));
+        }
+        if let Some(orbit) = link.orbit {
+            self.drawings.turn_to(orbit);
         }
         if let Some(theme) = link.theme {
             let is_dark = matches!(theme, Theme::Dark | Theme::DarkContrast);
@@ -103,11 +126,12 @@ impl Workbench {
         }
     }
 
-    /// The pixel or ray, and the event, which is selected once the pixel is recorded.
+    /// The pixel or ray; the event and t come once that is recorded.
     fn follow_aim(&mut self, link: &Link, notices: &mut Vec<String>) {
         let ctx = self.ctx();
         let Some(open) = &self.open else { return };
         let (width, height) = (open.scene.image.width, open.scene.image.height);
+        let mut aimed_at = None;
         match link.aim {
             Some(Aim::Pixel(pixel)) => {
                 let of = link.size.unwrap_or([width, height]);
@@ -118,41 +142,64 @@ impl Workbench {
                     return;
                 }
                 self.record(pixel);
-                self.sharing.awaited = link.event.clone().map(|event| (pixel, event));
+                aimed_at = Some(pixel);
             }
             Some(Aim::Ray([origin, direction])) => {
                 let scene = Arc::clone(&open.scene);
                 let pixel = self.recording.as_ref().map_or([0, 0], |recording| recording.pixel);
                 let tree = Arc::new(record_ray(&scene, origin, direction));
                 self.show_elsewhere(Recording::of_tree(scene, pixel, tree, None));
-                self.sharing.awaited = link.event.clone().map(|event| (pixel, event));
             }
             None => {}
         }
+        self.sharing.awaited = Some(Awaited { pixel: aimed_at, event: link.event.clone(), t: link.t });
     }
 
-    /// Selects the event of a link once its pixel is recorded.
-    pub(super) fn find_awaited(&mut self, _ctx: &Context) {
+    /// Selects the event of a link, and marks its t, once its pixel is recorded.
+    pub(super) fn find_awaited(&mut self) {
         let Some(recording) = self.recording.as_mut().filter(|_| !self.stepping.is_recording()) else { return };
-        let Some((pixel, place)) = self.sharing.awaited.take() else { return };
-        if recording.pixel != pixel {
+        let Some(Awaited { pixel, event, t }) = self.sharing.awaited.take() else { return };
+        if pixel.is_some_and(|pixel| pixel != recording.pixel) {
             return;
         }
-        let found = place.find(&recording.tree);
-        recording.select(found.event);
-        if let Some(notice) = found.notice {
-            self.sharing.notice = Some(Notice::bad(notice));
+        if let Some(found) = event.map(|place| place.find(&recording.tree)) {
+            recording.select(found.event);
+            if let Some(notice) = found.notice {
+                self.sharing.notice = Some(Notice::bad(notice));
+            }
         }
+        recording.probe_t = t.or(recording.probe_t);
     }
 }
 
-/// The text of a scene that does not come with the program.
-fn text_of(open: &OpenScene) -> Result<Option<String>, String> {
-    let path = Path::new(&open.name);
-    if embedded_scene(&open.name).is_some() && !path.is_file() {
-        return Ok(None);
+/// What of a link waits for its pixel to be recorded.
+pub(super) struct Awaited {
+    /// The pixel; any where the link names none.
+    pixel: Option<[u32; 2]>,
+    event: Option<EventPlace>,
+    t: Option<f64>,
+}
+
+/// What was traced.
+fn aim_of(recording: &Recording) -> Aim {
+    match recording.tree.events.first().map(|event| &event.what) {
+        Some(What::LooseRay { origin, direction }) => Aim::Ray([*origin, *direction].map(DVec3::from_array)),
+        _ => Aim::Pixel(recording.pixel),
     }
-    std::fs::read_to_string(path).map(Some).map_err(|error| format!("{}: {error}", open.name))
+}
+
+/// The name of a panel in links: that of the drawing that it is first of all, or its own.
+fn name_of(pane: Pane) -> &'static str {
+    let own = pane.word().strip_prefix(PANE).unwrap_or_default();
+    views_of(pane).first().map_or(own, |view| view.name)
+}
+
+/// The panel of a name, or one that shows a drawing of that name besides others.
+fn pane_named(name: &str) -> Option<Pane> {
+    let is_first = |pane: &Pane| name_of(*pane) == name;
+    // What else happens to a ray is drawn along it.
+    let along = View::named(name).map(|_| Pane::Along);
+    Pane::ALL.into_iter().find(is_first).or(along)
 }
 
 fn accuracy_of(look: &Look) -> Result<Accuracy, String> {
@@ -192,4 +239,21 @@ fn rescaled(pixel: u32, before: u32, after: u32) -> u32 {
     }
     let place = (2 * u64::from(pixel) + 1) * u64::from(after) / (2 * u64::from(before.max(1)));
     u32::try_from(place).unwrap_or(u32::MAX)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::view::ALL_VIEWS;
+
+    #[test]
+    fn every_panel_has_a_name_of_its_own_and_every_drawing_a_panel() {
+        for pane in Pane::ALL {
+            assert_eq!(pane_named(name_of(pane)), Some(pane));
+        }
+        for view in ALL_VIEWS {
+            assert!(pane_named(view.name).is_some(), "{}", view.name);
+        }
+        assert_eq!(pane_named("gallery"), None);
+    }
 }

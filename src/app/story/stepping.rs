@@ -130,10 +130,10 @@ impl Workbench {
         self.receive_recording(FRAME);
     }
 
-    /// Whether a pixel is being recorded, or events or pixels are looked for.
+    /// Whether a scene is being opened, a pixel recorded, or events or pixels are looked for.
     #[must_use]
     pub fn is_busy(&self) -> bool {
-        self.stepping.is_busy()
+        self.is_opening() || self.stepping.is_busy()
     }
 
     /// Shows a recording in place of the one before.

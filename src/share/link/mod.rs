@@ -44,7 +44,7 @@ pub struct Link {
     pub level: Option<String>,
     /// The arrangement of the panes.
     pub preset: Option<String>,
-    /// The drawings that are shown, by their names.
+    /// The drawings and other panels that are shown, by their names.
     pub views: Vec<String>,
     /// The colours of everything.
     pub theme: Option<Theme>,

@@ -2,6 +2,8 @@
 //! part.
 
 mod hatch;
+mod legend;
+mod plan;
 mod table;
 #[cfg(test)]
 mod tests;
@@ -17,6 +19,7 @@ use super::text::brief;
 use crate::record::{EventId, Triple, What};
 use crate::trace::RayTree;
 use hatch::{Look, hatched};
+use plan::{Key, Plan, SHARE};
 use std::fmt::Write as _;
 
 /// A component with its look.
@@ -48,13 +51,26 @@ pub fn shading_bars(tree: &RayTree, selected: EventId, size: [f64; 2], theme: Th
     let story = Story::of(tree, selected)?;
     let event = story.nearest(selected, |what| matches!(what, What::Colour { .. }))?;
     let shading = read(&story, event, theme.palette())?;
-    let mut sheet = Sheet::new(size, theme, event);
-    let room = sheet.caption("Where the colour comes from", &format!("total {}", amounts(shading.total)));
+    let total = format!("total {}", amounts(shading.total));
+    let (mut sheet, mut plan) = begin(size, theme, event, &shading, &total);
+    if plan.lamps < shading.lamps.len() {
+        let note = format!("{total}; too low for all lights");
+        (sheet, plan) = begin(size, theme, event, &shading, &note);
+    }
     sheet.drawing.description = description(&shading);
-    let (bars, table) = split(room, &shading);
-    table::draw(&mut sheet, table, &shading);
-    draw_bars(&mut sheet, bars, &shading);
+    match plan.key {
+        Key::Table(room) => table::draw(&mut sheet, room, &shading),
+        Key::Legend(room) => legend::draw(&mut sheet, room, &shading),
+    }
+    draw_bars(&mut sheet, &plan, &shading);
     Some(sheet.drawing)
+}
+
+/// A sheet with its caption, and what there is room for below it.
+fn begin(size: [f64; 2], theme: Theme, event: EventId, shading: &Shading, note: &str) -> (Sheet, Plan) {
+    let mut sheet = Sheet::new(size, theme, event);
+    let room = sheet.caption("Where the colour comes from", note);
+    (sheet, Plan::of(room, shading))
 }
 
 fn read(story: &Story, event: EventId, palette: &Palette) -> Option<Shading> {
@@ -101,44 +117,20 @@ fn description(shading: &Shading) -> String {
     text
 }
 
-/// The bars at the left and the table at the right, or the table below.
-fn split(room: Frame, shading: &Shading) -> (Frame, Frame) {
-    let ([left, top], [right, bottom]) = (room.low, room.high);
-    let [width, height] = room.size();
-    if width >= 560.0 {
-        let middle = right - table::WIDTH;
-        return (
-            Frame { low: [left, top], high: [middle - 16.0, bottom] },
-            Frame { low: [middle, top], high: [right, bottom] },
-        );
-    }
-    let lamps = shading.lamps.len() as f64;
-    let wanted = 3.0 * 26.0 + 26.0 + lamps * 24.0;
-    let middle = bottom - table::HEIGHT.min(0.66 * height);
-    let bars = Frame { low: [left, top], high: [right, (top + wanted).min(middle - 4.0)] };
-    (bars, Frame { low: [left, bars.high[1] + 6.0], high: [right, bottom] })
-}
-
 /// Room for the names of channels and lights, and for the totals.
 const NAMES: [f64; 2] = [44.0, 96.0];
 const SUMS: f64 = 50.0;
-/// Room for the axis, and the height of all bars from which there is one.
-const AXIS: f64 = 24.0;
-const ROOMY: f64 = 84.0;
-
-fn draw_bars(sheet: &mut Sheet, room: Frame, shading: &Shading) {
-    let has_axis = room.size()[1] >= ROOMY;
-    let bottom = room.high[1] - if has_axis { AXIS } else { 0.0 };
+fn draw_bars(sheet: &mut Sheet, plan: &Plan, shading: &Shading) {
+    let (room, bottom) = (plan.bars, plan.base());
     let most = shading.total.into_iter().filter(|x| x.is_finite()).fold(1.0, f64::max);
-    let widest = shading.lamps.iter().map(|lamp| text_width(&lamp.name, SMALL, Face::Sans)).fold(0.0, f64::max);
+    let lamps = &shading.lamps[..plan.lamps];
+    let widest = lamps.iter().map(|lamp| text_width(&lamp.name, SMALL, Face::Sans)).fold(0.0, f64::max);
     let names = (widest + 8.0).min(0.25 * room.size()[0]).clamp(NAMES[0], NAMES[1]);
     let axis = Axis { values: [0.0, most], points: [room.low[0] + names, room.high[0] - SUMS] };
     if axis.points[1] - axis.points[0] < 30.0 || bottom - room.low[1] < 24.0 {
         return;
     }
-    let lamps = shading.lamps.len() as f64;
-    // A lamp has two thirds of a channel's height.
-    let pitch = ((bottom - room.low[1]) / (3.0 + 0.67 * lamps)).clamp(12.0, 72.0);
+    let pitch = plan.pitch();
     let mut y = room.low[1];
     for (channel, name) in CHANNELS.into_iter().enumerate() {
         let frame = Frame { low: [axis.points[0], y + 2.0], high: [axis.points[1], y + pitch - 2.0] };
@@ -148,16 +140,12 @@ fn draw_bars(sheet: &mut Sheet, room: Frame, shading: &Shading) {
         sheet.write(&sum, [end + 6.0, y + 0.5 * pitch], Anchor::Start, TEXT, sheet.palette.ink);
         y += pitch;
     }
-    for lamp in &shading.lamps {
-        let next = y + 0.67 * pitch;
-        if next > bottom + 0.5 {
-            break;
-        }
-        draw_lamp(sheet, &axis, [y, next], room.low[0], lamp, &shading.parts);
-        y = next;
+    for lamp in lamps {
+        draw_lamp(sheet, &axis, [y, y + SHARE * pitch], room.low[0], lamp, &shading.parts);
+        y += SHARE * pitch;
     }
     full_line(sheet, &axis, [room.low[1], y]);
-    if has_axis {
+    if plan.has_axis() {
         numbers(sheet, &axis, y);
     }
 }

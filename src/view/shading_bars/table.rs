@@ -8,6 +8,8 @@ use crate::view::sheet::{SMALL, Sheet, TEXT};
 /// The width that the table needs, and its height with a heading and a line for the total.
 pub(super) const WIDTH: f64 = 270.0;
 pub(super) const HEIGHT: f64 = 7.0 * 17.0;
+/// Its least height: a table without its total would mislead.
+pub(super) const LEAST: f64 = 7.0 * 12.0 - 1.0;
 
 /// Room for the names.
 const NAMES: f64 = 96.0;
@@ -21,8 +23,7 @@ pub(super) fn draw(sheet: &mut Sheet, room: Frame, shading: &Shading) {
     let column = (width - NAMES) / 3.0;
     let at = |channel: usize| right - column * (2 - channel) as f64;
     let palette = sheet.palette;
-    // A table without its total would mislead.
-    if room.size()[1] < 7.0 * 12.0 - 1.0 || width < 90.0 {
+    if room.size()[1] < LEAST || width < 90.0 {
         return;
     }
     let mut y = room.low[1] + 0.5 * pitch;

@@ -69,8 +69,36 @@ fn looks_are_told_apart_without_colours() {
 #[test]
 fn nothing_covers_anything_at_any_size() {
     let tree = every_kind();
-    for size in [[300.0, 200.0], [420.0, 300.0], [560.0, 360.0], [900.0, 600.0], [120.0, 500.0], [20.0, 20.0]] {
+    for size in [[300.0, 200.0], [420.0, 300.0], [560.0, 360.0], [900.0, 600.0], [386.0, 150.0], [700.0, 130.0], [120.0, 500.0], [20.0, 20.0]] {
         let drawing = shading_bars(&tree, colour_event(&tree), size, Theme::Light).unwrap();
         assert_readable(&drawing, &format!("{size:?}"));
+    }
+}
+
+fn texts(size: [f64; 2]) -> Vec<String> {
+    let tree = every_kind();
+    let drawing = shading_bars(&tree, colour_event(&tree), size, Theme::Light).unwrap();
+    drawing.texts().map(|text| text.text.clone()).collect()
+}
+
+#[test]
+fn every_component_that_has_a_bar_is_named_however_low_the_drawing_is() {
+    for height in [140.0, 150.0, 170.0, 190.0, 200.0, 240.0, 330.0] {
+        for width in [300.0, 386.0, 600.0] {
+            let texts = texts([width, height]);
+            for name in ["red", "green", "blue", "ambient", "diffuse", "reflected", "transmitted"] {
+                assert!(texts.iter().any(|text| text == name), "{name} at {width} × {height}: {texts:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn lights_that_there_is_no_room_for_are_not_left_out_in_silence() {
+    for height in [130.0, 150.0, 200.0, 260.0, 330.0, 500.0] {
+        let texts = texts([386.0, height]);
+        let lights = ["lamp", "sun"].iter().filter(|name| texts.iter().any(|text| text == *name)).count();
+        let says_so = texts.iter().any(|text| text.contains("too low for all lights"));
+        assert_eq!(says_so, lights < 2, "{height}: {texts:?}");
     }
 }

@@ -9,6 +9,15 @@ use glam::DVec3;
 /// Halvings of the stretch on which a line leaves the surface: its end is found to a millionth of the stretch.
 const HALVINGS: u32 = 20;
 
+/// Surfaces lie in the same place where they are so close, as a part of a leaf's size. Larger, and thin walls are taken for nothing;
+/// smaller, and rounding decides which of two equal surfaces is seen.
+const SAME_PLACE: f64 = 1e-6;
+/// The cosine of the angle between surfaces that lie in the same place. Smaller, and edges are taken for faces; larger, and the
+/// differences that gradients are made of are too coarse.
+const SAME_WAY: f64 = 0.999;
+/// Where F is larger, no surface is near: F changes by about as much as the place does.
+const FAR: f64 = 1e-3;
+
 /// A solid, asked point by point.
 pub(super) struct Membership<'a> {
     pub solid: &'a Solid,
@@ -63,8 +72,30 @@ impl<'a> Membership<'a> {
     /// How a leaf's surface bounds the solid at a point of it: 1 where its normal is the solid's, −1 where it is turned round, 0
     /// where it bounds nothing.
     pub fn side(&self, leaf: usize, point: DVec3) -> f64 {
-        let [with, without] = [true, false].map(|holds| self.holds_with(point, &[(leaf, holds)]));
-        f64::from(i8::from(with) - i8::from(without))
+        let shared = self.shared_with(leaf, point);
+        let holds_where = |is_inside: bool| {
+            let others = shared.iter().map(|(other, is_alike)| (*other, *is_alike == is_inside));
+            let given: Vec<(usize, bool)> = std::iter::once((leaf, is_inside)).chain(others).collect();
+            self.holds_with(point, &given)
+        };
+        f64::from(i8::from(holds_where(true))) - f64::from(i8::from(holds_where(false)))
+    }
+
+    /// The other leaves whose surfaces lie in the same place as this one's, and whether they have their inside on the same side of it:
+    /// of those rounding alone would say which holds the point.
+    fn shared_with(&self, leaf: usize, point: DVec3) -> Vec<(usize, bool)> {
+        let is_other = |other: &usize| *other != leaf && bounds_something(&self.solid.leaves[*other]);
+        let shared = |other: usize| {
+            let value = self.value(other, point).abs();
+            if value > FAR {
+                return None;
+            }
+            let slope = self.gradient(other, point);
+            let is_there = value <= SAME_PLACE * self.scale(other) * slope.length();
+            let cosine = slope.normalize_or_zero().dot(self.gradient(leaf, point).normalize_or_zero());
+            (is_there && cosine.abs() > SAME_WAY).then_some((other, cosine > 0.0))
+        };
+        (0..self.solid.leaves.len()).filter(is_other).filter_map(shared).collect()
     }
 
     /// The parts of a line on a leaf's surface that lie on the solid's.
@@ -102,8 +133,14 @@ impl<'a> Membership<'a> {
 
     /// The place between two points at which a leaf's surface begins or ends to bound the solid.
     fn end(&self, leaf: usize, [mut from, mut to]: [DVec3; 2], begins: bool) -> DVec3 {
+        let reach = from.distance(to);
         for _ in 0..HALVINGS {
-            let middle = self.settled(leaf, from.midpoint(to));
+            let halfway = from.midpoint(to);
+            let middle = self.settled(leaf, halfway);
+            // At the tip of a star the gradient vanishes, and Newton's method leads anywhere.
+            if middle.distance(halfway) > reach {
+                break;
+            }
             if (self.side(leaf, middle) != 0.0) == begins {
                 to = middle;
             } else {
