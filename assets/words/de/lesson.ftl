@@ -9,13 +9,13 @@ palette-lesson = Lektion: { $title }
 
 lesson-open = Lektion öffnen …
 lesson-open-about = Den Kurs zeigen, um eine Lektion zu wählen.
-lesson-next = Weiter
+lesson-next = Nächster Schritt
 lesson-next-about = Zum nächsten Schritt gehen.
-lesson-previous = Zurück
+lesson-previous = Schritt zurück
 lesson-previous-about = Zum Schritt davor gehen.
-lesson-skip = Überspringen
+lesson-skip = Schritt auslassen
 lesson-skip-about = Ohne Antwort weitergehen. Du kannst jederzeit zurückkommen.
-lesson-finish = Beenden
+lesson-finish = Lektion beenden
 lesson-finish-about = Die Lektion beenden und zum Kurs zurückkehren.
 lesson-restage = Zurück zum Strahl des Schritts
 lesson-restage-about = Die Szene dieses Schritts mit ihrem Strahl und ihrem Ereignis wieder öffnen.
@@ -101,7 +101,7 @@ lesson-show-editor = Szenendatei
 lesson-show-editor-about = Den Text der Szene ändern.
 lesson-show-properties = Eigenschaften
 lesson-show-properties-about = Die Szene mit Reglern und Zahlen ändern.
-lesson-t = Deine Antwort: t = { $t }
+lesson-t = Deine Antwort:
 lesson-no-t = Ziehe t auf dem Vorzeichenbild.
 lesson-judging = Die geänderte Szene wird angesehen …
 lesson-scene-flawed = Die Szenendatei hat Fehler. Behebe sie zuerst.

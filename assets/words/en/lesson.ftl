@@ -9,13 +9,13 @@ palette-lesson = Lesson: { $title }
 
 lesson-open = Open a lesson…
 lesson-open-about = Show the course, to choose a lesson from.
-lesson-next = Next
+lesson-next = Next step
 lesson-next-about = Go on to the next step.
-lesson-previous = Back
+lesson-previous = Previous step
 lesson-previous-about = Go back to the step before.
-lesson-skip = Skip
+lesson-skip = Skip step
 lesson-skip-about = Go on without an answer. You can come back at any time.
-lesson-finish = Finish
+lesson-finish = Finish lesson
 lesson-finish-about = End the lesson and go back to the course.
 lesson-restage = Back to this step’s ray
 lesson-restage-about = Open the scene of this step again, with its ray and its event.
@@ -101,7 +101,7 @@ lesson-show-editor = Scene file
 lesson-show-editor-about = Change the text of the scene.
 lesson-show-properties = Properties
 lesson-show-properties-about = Change the scene with sliders and numbers.
-lesson-t = Your answer: t = { $t }
+lesson-t = Your answer:
 lesson-no-t = Drag t on the sign plot.
 lesson-judging = The changed scene is being looked at …
 lesson-scene-flawed = The scene file has errors. Mend them first.

@@ -1,20 +1,17 @@
 //! Answers: what was typed and chosen, where it was clicked, what was changed in the scene.
 
-use super::open::{Judging, OpenLesson};
+use super::marks::within;
+use super::open::OpenLesson;
 use super::question::{Asked, Draft, QuestionWish};
-use crate::app::frame::background::Background;
 use crate::app::frame::words::{say, say_with};
 use crate::app::pane::Pane;
 use crate::app::workbench::Workbench;
 use crate::document::Cause;
 use crate::lesson::model::Surface;
 use crate::lesson::question::{Form, Spot};
-use crate::lesson::{Stage, Verdict};
 use crate::record::What;
-use crate::scene::Scene;
-use egui::Context;
+use egui::{Context, Pos2};
 use glam::DVec3;
-use std::sync::Arc;
 
 /// A place that is shown where a question asks for one.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -33,6 +30,7 @@ impl Workbench {
             QuestionWish::Reveal => self.reveal_answer(ctx, place),
             QuestionWish::Arm(is_armed) => self.arm(place, is_armed),
             QuestionWish::TakePlace(surface) => self.take_place(place, surface),
+            QuestionWish::Probe(t) => self.recording.iter_mut().for_each(|recording| recording.probe_t = Some(t)),
             QuestionWish::Show(pane) => self.dock.show_beside(&[pane], Pane::Lesson),
         }
     }
@@ -43,7 +41,7 @@ impl Workbench {
     }
 
     /// Changes what is known of a question, and keeps it.
-    fn change_question(&mut self, place: usize, change: impl FnOnce(&mut Asked)) {
+    pub(super) fn change_question(&mut self, place: usize, change: impl FnOnce(&mut Asked)) {
         let Some(open) = &mut self.lesson.open else { return };
         if let Some(asked) = open.asked.get_mut(place) {
             change(asked);
@@ -145,6 +143,13 @@ impl Workbench {
         });
     }
 
+    /// Where a point of the world is on screen in the side view.
+    #[must_use]
+    pub fn side_place(&self, point: [f64; 3]) -> Option<Pos2> {
+        let (rect, plane) = self.side.plane()?;
+        Some(within(rect, plane.spot(DVec3::from_array(point))))
+    }
+
     /// Where a place lies, in the coordinates of a click there.
     fn spot(&self, surface: Surface, spot: &Spot) -> Option<[f64; 2]> {
         let staged = self.lesson.open.as_ref().and_then(OpenLesson::staged)?;
@@ -198,62 +203,6 @@ impl Workbench {
             }
         }
         marks
-    }
-
-    /// Once a frame: takes in what came of an edited scene, and judges the next one.
-    pub(super) fn follow_answers(&mut self, ctx: &Context) {
-        self.receive_verdict(ctx);
-        let Some(open) = &self.lesson.open else { return };
-        let Some(scene) = self.open.as_ref().map(|open| Arc::clone(&open.scene)) else { return };
-        let Some(staged) = open.staged().filter(|_| open.judging.is_none()) else { return };
-        let is_edited = !Arc::ptr_eq(&staged.stage.scene.scene, &scene) && self.editing.name == staged.scene_name;
-        let is_judged = open.judged.as_ref().is_some_and(|judged| Arc::ptr_eq(judged, &scene));
-        let is_open = |asked: &Asked| matches!(asked.posed.form, Form::Edit(_)) && !asked.is_done();
-        let question = open.asked.iter().position(is_open);
-        if let Some(question) = question.filter(|_| is_edited && !is_judged && !self.editing.is_stale()) {
-            self.begin_judging(ctx, question, false);
-        }
-    }
-
-    fn begin_judging(&mut self, ctx: &Context, question: usize, is_asked_for: bool) {
-        if !self.editing.flaws.is_empty() {
-            let problem = say(ctx, "lesson-scene-flawed");
-            self.change_question(question, |asked| asked.problem = Some(problem));
-            return;
-        }
-        let text = self.editing.document.text().to_owned();
-        let Some(scene) = self.open.as_ref().map(|open| Arc::clone(&open.scene)) else { return };
-        let Some(open) = &mut self.lesson.open else { return };
-        let (Some(staged), Some(asked)) = (open.staged(), open.asked.get(question)) else { return };
-        let (stage, posed, edited): (Stage, _, Scene) =
-            (staged.stage.clone(), asked.posed.clone(), Scene::clone(&scene));
-        let job = Background::start(ctx, "judge", move |_, publish| {
-            let stage = stage.edited(text, edited);
-            publish(stage.and_then(|stage| posed.judge_edit(&stage).map_err(|error| error.message)));
-        });
-        open.judged = Some(scene);
-        open.judging = job.map(|job| Judging { question, is_asked_for, job });
-    }
-
-    fn receive_verdict(&mut self, ctx: &Context) {
-        let Some(open) = &mut self.lesson.open else { return };
-        let Some(judging) = open.judging.take_if(|judging| judging.job.is_finished()) else { return };
-        match judging.job.take() {
-            Some(Ok(verdict)) => self.take_verdict(judging.question, verdict, judging.is_asked_for),
-            Some(Err(why)) if judging.is_asked_for => {
-                let problem = say_with(ctx, "lesson-not-judged", &[("why", (&why).into())]);
-                self.change_question(judging.question, |asked| asked.problem = Some(problem));
-            }
-            _ => {}
-        }
-    }
-
-    /// While the scene is being changed, only what is right and what was expected is told: the rest is on its way.
-    fn take_verdict(&mut self, question: usize, verdict: Verdict, is_asked_for: bool) {
-        let is_telling = verdict.is_right || verdict.misconception.is_some();
-        if is_asked_for || is_telling {
-            self.change_question(question, |asked| asked.take(verdict, None));
-        }
     }
 }
 

@@ -114,9 +114,9 @@ impl Workbench {
         let is_judging = self.lesson.open.as_ref().is_some_and(|open| open.judging.is_some());
         let is_compiling = self.editing.is_stale() && self.editing.flaws.is_empty();
         Seen {
-            probe_t: recording.and_then(|recording| recording.probe_t),
+            probe_t: recording.filter(|_| is_staged).and_then(|recording| recording.probe_t),
             pixel: recording.map(|recording| recording.pixel),
-            event: recording.map(Recording::selected),
+            event: recording.filter(|_| is_staged).map(Recording::selected),
             is_staged,
             is_busy: is_judging || is_compiling,
         }

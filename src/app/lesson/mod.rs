@@ -4,6 +4,7 @@ mod answering;
 mod course_list;
 mod course_map;
 mod glue;
+mod judging;
 pub mod marks;
 mod open;
 pub mod pane;
@@ -12,6 +13,7 @@ mod question;
 mod staged;
 mod step;
 mod text;
+mod told;
 mod watch;
 
 pub use pane::LessonPane;

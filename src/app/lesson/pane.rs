@@ -136,7 +136,7 @@ impl LessonPane {
         if self.school.is_some() {
             return;
         }
-        let begin = || Background::start(ctx, "lessons", |_, publish| publish(School::new(Lessons::embedded())));
+        let begin = || Background::start(ctx, "lessons", |_, publish| publish(School::embedded()));
         if self.loading.is_none() {
             self.loading = begin();
         }

@@ -1,11 +1,12 @@
 //! A step, set up in the background: its scene compiled, its rays recorded, its text told, its questions worked out.
 
+use super::told::{Teller, ToldPart, link_once};
 use crate::app::frame::background::Background;
 use crate::app::pane::Pane;
 use crate::app::share::pane_named;
-use crate::lesson::model::{Aim, Lesson, Part, Sited, Step};
+use crate::lesson::model::{Aim, Lesson, Sited, Step};
 use crate::lesson::prose::{Prose, Told};
-use crate::lesson::{Finding, Posed, Scenes, Shelf, Stage, ToldTable};
+use crate::lesson::{Finding, Posed, Scenes, Shelf, Stage, Term};
 use crate::lesson_folder::Lessons;
 use crate::record::EventId;
 use crate::scene::{Scene, embedded_scene};
@@ -13,7 +14,7 @@ use crate::story::Level;
 use crate::view::View;
 use egui::Context;
 use std::collections::{BTreeMap, BTreeSet};
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 /// Lessons with what is known of their scenes.
 #[derive(Clone)]
@@ -56,23 +57,6 @@ pub struct Staged {
     pub findings: Vec<Finding>,
 }
 
-/// A part of a step, told.
-pub enum ToldPart {
-    /// Text.
-    Prose(Prose<Told>),
-    /// Where the source chapter slips.
-    Slip {
-        /// What it prints.
-        printed: Prose<Told>,
-        /// What is right.
-        right: Prose<Told>,
-    },
-    /// A table of what was recorded.
-    Table(ToldTable),
-    /// A question, by its place among those of the step.
-    Question(usize),
-}
-
 /// A step, or why it cannot be set up.
 pub type Outcome = Result<Box<Staged>, Finding>;
 
@@ -80,6 +64,13 @@ impl School {
     /// Lessons whose scenes are not compiled yet.
     pub fn new(lessons: Lessons) -> Self {
         Self { lessons: Arc::new(lessons), scenes: Arc::default() }
+    }
+
+    /// The course that comes with the program, read once.
+    pub fn embedded() -> Self {
+        static COURSE: OnceLock<Arc<Lessons>> = OnceLock::new();
+        let lessons = COURSE.get_or_init(|| Arc::new(Lessons::embedded()));
+        Self { lessons: Arc::clone(lessons), scenes: Arc::default() }
     }
 
     /// Begins to set a step up.
@@ -110,60 +101,29 @@ impl School {
     }
 
     fn told(&self, lesson: &Lesson, number: usize, step: &Step, stage: Stage, whole: Arc<Scene>) -> Staged {
-        let mut findings = Vec::new();
-        let opening = if number == 0 { stage.tell(&lesson.opening, &mut findings) } else { Vec::new() };
-        let mut posed = Vec::new();
-        let mut parts = Vec::new();
-        let mut asked = lesson.steps[..number].iter().map(|step| step.questions().count()).sum();
-        for part in &step.parts {
-            match part {
-                Part::Prose(prose) => parts.push(ToldPart::Prose(stage.tell(prose, &mut findings))),
-                Part::Claims(_) => {}
-                Part::Slip(slip) => parts.push(ToldPart::Slip {
-                    printed: stage.tell(&slip.printed, &mut findings),
-                    right: stage.tell(&slip.right, &mut findings),
-                }),
-                Part::Table(table) => parts.push(ToldPart::Table(stage.table(table, &mut findings))),
-                Part::Question(question) => {
-                    match Posed::new(question, &stage) {
-                        Ok(question) => {
-                            parts.push(ToldPart::Question(posed.len()));
-                            posed.push((asked, question));
-                        }
-                        Err(wrong) => findings.extend(wrong),
-                    }
-                    asked += 1;
-                }
-            }
-        }
+        let earlier = lesson.steps[..number].iter().map(|step| step.questions().count()).sum();
+        let mut teller = Teller { stage: &stage, findings: Vec::new(), posed: Vec::new(), asked: earlier };
+        let opening = if number == 0 { teller.tell(&lesson.opening) } else { Vec::new() };
+        let parts = step.parts.iter().filter_map(|part| teller.part(part)).collect();
+        let t = step.t.as_ref().and_then(|t| teller.number(t));
+        let Teller { findings, posed, .. } = teller;
         let glossary = &self.lessons.course.glossary;
-        let linked = |prose| glossary.linked(prose);
-        let (opening, parts) = link_once(opening, parts, linked);
-        let t = step
-            .t
-            .as_ref()
-            .and_then(|t| t.value.number(&stage.known()).map_err(|error| findings.push(stage.finding(t, &error))).ok());
-        let marked =
-            step.highlight.iter().flat_map(|query| query.value.matches(&stage.tree).collect::<Vec<_>>()).collect();
-        let mut unsaid = Vec::new();
-        let terms =
-            glossary.terms.iter().map(|term| (term.name.clone(), stage.tell(&term.meaning, &mut unsaid))).collect();
-        let scene_name = self.scene_name(lesson, &stage.aim.scene);
-        let (views, after) = (panes(&step.views), panes(&step.after));
-        let level = step.level;
+        let (opening, parts) = link_once(opening, parts, |prose| glossary.linked(prose));
+        let marked = step.highlight.iter().flat_map(|query| query.value.matches(&stage.tree).collect::<Vec<_>>());
+        let meaning = |term: &Term| (term.name.clone(), stage.tell(&term.meaning, &mut Vec::new()));
         Staged {
             step: number,
             whole,
-            scene_name,
+            scene_name: self.scene_name(lesson, &stage.aim.scene),
             opening,
             parts,
             posed,
-            level,
-            views,
-            after,
+            level: step.level,
+            views: panes(&step.views),
+            after: panes(&step.after),
             t,
-            marked,
-            terms,
+            marked: marked.collect(),
+            terms: glossary.terms.iter().map(meaning).collect(),
             findings,
             stage,
         }
@@ -190,27 +150,4 @@ fn panes(views: &[Sited<&'static View>]) -> Vec<Pane> {
         }
     }
     panes
-}
-
-/// Links the terms where they first stand in the whole step, not once in each of its parts.
-fn link_once(
-    opening: Prose<Told>,
-    mut parts: Vec<ToldPart>,
-    linked: impl Fn(Prose<Told>) -> Prose<Told>,
-) -> (Prose<Told>, Vec<ToldPart>) {
-    let count = opening.len();
-    let mut all = opening;
-    for part in &mut parts {
-        if let ToldPart::Prose(prose) = part {
-            all.append(&mut prose.clone());
-        }
-    }
-    let mut all = linked(all).into_iter();
-    let opening = all.by_ref().take(count).collect();
-    for part in &mut parts {
-        if let ToldPart::Prose(prose) = part {
-            *prose = all.by_ref().take(prose.len()).collect();
-        }
-    }
-    (opening, parts)
 }

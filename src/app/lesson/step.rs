@@ -3,8 +3,9 @@
 use super::open::OpenLesson;
 use super::pane::{LessonPane, Wish};
 use super::question::{self, Seen};
-use super::staged::{Staged, ToldPart};
+use super::staged::Staged;
 use super::text::{Formulas, Reader, TextWish};
+use super::told::ToldPart;
 use crate::app::frame::theme::{PADDING, Palette, bold};
 use crate::app::frame::words::{say, say_with};
 use crate::lesson::prose::{Prose, Told};
@@ -154,15 +155,13 @@ fn body(
         return None;
     };
     let staged: &Staged = staged;
-    let mut reader = Reader::new(formulas, &staged.terms, seen.event.filter(|_| seen.is_staged));
+    let mut reader = Reader::new(formulas, &staged.terms, seen.event);
     let mut wish = None;
     if staged.step == 0 && !staged.opening.is_empty() {
         reader.prose(ui, &staged.opening);
         ui.add_space(4.0);
     }
-    let title = lesson.and_then(|lesson| lesson.steps.get(staged.step)).map_or("", |step| step.title.as_str());
-    let heading = ui.add(Label::new(RichText::new(title).size(17.0).family(bold())).wrap());
-    heading.widget_info(|| WidgetInfo::labeled(Role::Heading, true, title));
+    heading(ui, lesson.and_then(|lesson| lesson.steps.get(staged.step)).map_or("", |step| &step.title));
     let of = asked.len();
     for part in &staged.parts {
         match part {
@@ -181,6 +180,11 @@ fn body(
         reader.wish = None;
     }
     wish.or(reader.wish.map(Wish::Text))
+}
+
+fn heading(ui: &mut Ui, title: &str) {
+    let heading = ui.add(Label::new(RichText::new(title).size(17.0).family(bold())).wrap());
+    heading.widget_info(|| WidgetInfo::labeled(Role::Heading, true, title));
 }
 
 /// Where the source chapter slips: what it prints and what is right.

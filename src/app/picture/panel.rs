@@ -104,7 +104,8 @@ impl ImagePanel {
     /// The line below the picture.
     fn readout(&self, ui: &mut Ui, line: Rect, view: &ImageView) {
         let palette = Palette::current(ui.ctx());
-        let focused = view.recording.map(|recording| recording.pixel);
+        let of_pixel = view.recording.filter(|recording| recording.loose_ray().is_none());
+        let focused = of_pixel.map(|recording| recording.pixel);
         let (text, swatch) = match (&self.reading, focused) {
             (Some(reading), _) => {
                 let told = (view.told)(reading.pixel).map(|told| format!(" · {told}")).unwrap_or_default();

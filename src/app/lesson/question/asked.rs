@@ -1,10 +1,10 @@
 //! A question that is asked: what is being answered, what was said about it, what is kept of it.
 
 use super::Seen;
-use crate::lesson::expression::{Expression, Known, Question as EventQuestion, Value};
+use super::number::number;
 use crate::lesson::question::{Form, Reckoned, Stretch};
 use crate::lesson::{Answer, Posed, Record, Verdict};
-use crate::record::{EventId, format_number};
+use crate::record::format_number;
 
 /// A question with its answer so far.
 pub struct Asked {
@@ -178,64 +178,9 @@ pub fn list_text(list: &[Stretch]) -> String {
     if stretches.is_empty() { "∅".to_owned() } else { stretches.join(" ∪ ") }
 }
 
-/// A number as students write it: with a point or a comma, as a fraction, with a root, with or without its unit.
-///
-/// # Errors
-/// Why it is none.
-fn number(typed: &str, unit: &str) -> Result<f64, String> {
-    let plain = typed.trim().trim_end_matches(unit).trim().replace('−', "-").replace(['·', '×'], "*");
-    let is_decimal_comma = plain.matches(',').count() == 1 && !plain.contains(['.', '(']);
-    let plain = if is_decimal_comma { plain.replace(',', ".") } else { plain };
-    let number = Expression::parse(&plain).and_then(|expression| expression.number(&Nothing));
-    number.map_err(|error| error.message)
-}
-
-/// What is typed knows nothing of the recorded ray.
-struct Nothing;
-
-impl Known for Nothing {
-    fn name(&self, _: &str) -> Option<Result<Value, String>> {
-        None
-    }
-
-    fn names(&self) -> Vec<String> {
-        Vec::new()
-    }
-
-    fn events(&self, question: &EventQuestion) -> Result<Vec<EventId>, String> {
-        Err(format!("`{}` is no number", question.text))
-    }
-
-    fn event(&self, _: Option<&str>, _: EventId) -> Result<Value, String> {
-        Err(String::new())
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn a_number_may_be_written_as_people_write_it() {
-        for (typed, unit, value) in [
-            ("3.5", "", 3.5),
-            (" 3,5 ", "", 3.5),
-            ("−2", "", -2.0),
-            ("14/4", "", 3.5),
-            ("sqrt(16)", "", 4.0),
-            ("41.8°", "°", 41.8),
-            ("2 · 3", "", 6.0),
-        ] {
-            assert_eq!(number(typed, unit), Ok(value), "{typed}");
-        }
-    }
-
-    #[test]
-    fn what_is_no_number_is_refused_and_the_ray_is_not_asked() {
-        for typed in ["", "three", "hit.t", "[1, 2]", "1 +", "true"] {
-            assert!(number(typed, "").is_err(), "{typed}");
-        }
-    }
 
     #[test]
     fn equal_lists_are_offered_once_and_the_right_one_is_among_them() {

@@ -9,8 +9,7 @@ use crate::app::pane::Pane;
 use crate::lesson::model::Surface;
 use crate::lesson::prose::plain;
 use crate::lesson::question::{Form, PosedChoice};
-use crate::record::format_number;
-use egui::{Key, RichText, Role, TextEdit, Ui, WidgetInfo};
+use egui::{DragValue, Key, RichText, Role, TextEdit, Ui, WidgetInfo};
 
 /// Shows the control of a question.
 pub fn ui(ui: &mut Ui, reader: &mut Reader, asked: &mut Asked, number: usize, seen: &Seen) -> Option<QuestionWish> {
@@ -106,16 +105,19 @@ fn place(ui: &mut Ui, surface: Surface, is_armed: bool, number: usize, seen: &Se
     wish
 }
 
+/// t, which is dragged on the sign plot; here it can be put more finely, and without a pointer.
 fn time(ui: &mut Ui, number: usize, seen: &Seen) -> Option<QuestionWish> {
     let mut wish = None;
     ui.horizontal_wrapped(|ui| {
-        let said = match seen.probe_t {
-            Some(t) => say_with(ui.ctx(), "lesson-t", &[("t", (&format_number(t)).into())]),
-            None => say(ui.ctx(), "lesson-no-t"),
-        };
-        ui.label(said);
         if numbered(ui, "lesson-show-signs", number, true).clicked() {
             wish = Some(QuestionWish::Show(Pane::Signs));
+        }
+        let word = if seen.probe_t.is_some() { "lesson-t" } else { "lesson-no-t" };
+        let label = ui.label(say(ui.ctx(), word));
+        let mut t = seen.probe_t.unwrap_or_default();
+        let field = DragValue::new(&mut t).speed(0.002).max_decimals(6).prefix("t = ");
+        if ui.add_enabled(seen.is_staged, field).labelled_by(label.id).changed() {
+            wish = Some(QuestionWish::Probe(t));
         }
     });
     wish

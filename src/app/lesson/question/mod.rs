@@ -3,6 +3,7 @@
 mod asked;
 mod form;
 mod intervals;
+mod number;
 mod order;
 
 pub use asked::{Asked, Draft};
@@ -45,6 +46,8 @@ pub enum QuestionWish {
     Arm(bool),
     /// To take the recorded pixel, or the place of the selected event, for an answer.
     TakePlace(Surface),
+    /// To put t there.
+    Probe(f64),
     /// To bring a panel to the front.
     Show(Pane),
 }
