@@ -57,47 +57,48 @@ impl Lessons {
         }
     }
 
-    /// One lesson, with the lessons beside it: what it needs is among them. Without any, with those of the program.
+    /// One lesson, with the lessons beside it: what it needs is among them.
     fn one(folder: &Path) -> Result<Self, String> {
         let full = folder.canonicalize().map_err(|error| cannot(folder, &error))?;
         let id = id_of(&full);
-        let own = text_of(folder, &id)?;
         let beside = full.parent().map(Path::to_owned).unwrap_or_default();
-        let mut lessons = Self::folder(&beside).unwrap_or_else(|_| Self { chosen: None, ..Self::embedded() });
+        let mut texts = disk_texts(&beside).unwrap_or_default();
+        texts.retain(|text| text.id != id);
+        let mut folders = folders_of(&beside, &texts);
+        folders.insert(id.clone(), folder.to_owned());
         // Messages name the file as it was asked for.
-        let mut texts = vec![own];
-        let glossary = lessons.glossary_text(&beside);
-        texts.extend(disk_texts(&beside).unwrap_or_default().into_iter().filter(|text| text.id != id));
+        let own = text_of(folder, &id)?;
+        let file = own.file.clone();
+        texts.push(own);
         texts.sort_by(|a, b| a.id.cmp(&b.id));
-        lessons.course = Course::read(&texts, Some(("glossary.md", &glossary)));
-        lessons.course.findings.retain(|finding| finding.file.starts_with(&folder.display().to_string()));
-        lessons.shelf.folders.insert(id.clone(), folder.to_owned());
-        lessons.chosen = Some(id);
-        Ok(lessons)
+        let mut course = Course::read(&texts, Some(("glossary.md", &glossary_text(&beside))));
+        course.findings.retain(|finding| finding.file == file);
+        Ok(Self { course, shelf: LessonShelf { folders }, chosen: Some(id) })
     }
 
     fn folder(folder: &Path) -> Result<Self, String> {
         let texts = disk_texts(folder)?;
         if texts.is_empty() {
             return Err(format!(
-                "there are no lessons in {}: each lies in a folder of its own, as a file lesson.md",
+                "there are no lessons in {}: each lies in a folder of its own whose name begins with a digit, as a file lesson.md",
                 folder.display()
             ));
         }
-        let folders = texts.iter().map(|text| (text.id.clone(), folder.join(&text.id))).collect();
-        let lessons = Self { course: Course::default(), shelf: LessonShelf { folders }, chosen: None };
-        let glossary = lessons.glossary_text(folder);
         let name = folder.join("glossary.md").display().to_string();
-        Ok(Self { course: Course::read(&texts, Some((&name, &glossary))), ..lessons })
+        let course = Course::read(&texts, Some((&name, &glossary_text(folder))));
+        Ok(Self { course, shelf: LessonShelf { folders: folders_of(folder, &texts) }, chosen: None })
     }
+}
 
-    /// A folder's own glossary, or that of the program.
-    #[expect(clippy::unused_self, reason = "it belongs to the lessons that are read")]
-    fn glossary_text(&self, folder: &Path) -> String {
-        let own = fs::read_to_string(folder.join("glossary.md")).ok();
-        let of_program = || EMBEDDED.get_file("glossary.md").and_then(include_dir::File::contents_utf8).unwrap_or("");
-        own.unwrap_or_else(|| of_program().to_owned())
-    }
+/// A folder's own glossary, or that of the program.
+fn glossary_text(folder: &Path) -> String {
+    let own = fs::read_to_string(folder.join("glossary.md")).ok();
+    let of_program = || EMBEDDED.get_file("glossary.md").and_then(include_dir::File::contents_utf8).unwrap_or("");
+    own.unwrap_or_else(|| of_program().to_owned())
+}
+
+fn folders_of(folder: &Path, texts: &[LessonText]) -> BTreeMap<String, PathBuf> {
+    texts.iter().map(|text| (text.id.clone(), folder.join(&text.id))).collect()
 }
 
 /// The texts of the numbered folders in a folder.

@@ -79,7 +79,10 @@ const LAYERS: &[(&str, &[&str])] = &[
     ),
     (
         "lesson",
-        &["record", "math", "shape", "csg", "optics", "texture", "sample", "scene", "trace", "view", "query", "story", "document"],
+        &[
+            "record", "math", "shape", "csg", "optics", "texture", "sample", "scene", "trace", "view", "query",
+            "story", "document",
+        ],
     ),
     ("words", &[]),
     ("peer", &["record", "shape", "csg", "sample", "scene"]),

@@ -1,10 +1,12 @@
 //! Examinations: questions of the course in an order and about rays that follow from a seed.
 
 use super::course::Course;
-use super::model::{Aim, Lesson, Question, QuestionKind, Step};
+use super::model::{Aim, Lesson, Part, Question, QuestionKind, Step};
+use super::prose::{Prose, Told};
 use super::question::{Form, Posed};
 use super::scenes::{Scenes, Shelf};
 use super::stage::Stage;
+use super::table::ToldTable;
 
 /// An examination.
 pub struct Exam {
@@ -20,23 +22,43 @@ pub struct ExamQuestion {
     pub lesson: String,
     /// The title of the step that it is from.
     pub step: String,
+    /// What is told before it, as a question on paper needs it.
+    pub before: Vec<Before>,
     /// What it is about.
     pub stage: Stage,
     /// The question; choices and things to be ordered are shuffled.
     pub posed: Posed,
 }
 
+/// Something that is told before a question.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Before {
+    /// Text.
+    Prose(Prose<Told>),
+    /// A table.
+    Table(ToldTable),
+}
+
 impl Exam {
     /// Draws an examination of `count` questions from some lessons of a course. Only what can be answered on paper is asked: no clicks and
     /// no changes of scenes.
     #[must_use]
-    pub fn draw(course: &Course, lessons: &[&str], count: usize, seed: u64, scenes: &Scenes, shelf: &dyn Shelf) -> Self {
+    pub fn draw(
+        course: &Course,
+        lessons: &[&str],
+        count: usize,
+        seed: u64,
+        scenes: &Scenes,
+        shelf: &dyn Shelf,
+    ) -> Self {
         let mut dice = Dice(seed);
         let mut all: Vec<(&Lesson, &Step, &Question)> = course
             .lessons
             .iter()
             .filter(|lesson| lessons.is_empty() || lessons.contains(&lesson.id.as_str()))
-            .flat_map(|lesson| lesson.steps.iter().flat_map(move |step| step.questions().map(move |q| (lesson, step, q))))
+            .flat_map(|lesson| {
+                lesson.steps.iter().flat_map(move |step| step.questions().map(move |q| (lesson, step, q)))
+            })
             .filter(|(_, _, question)| is_on_paper(question))
             .collect();
         dice.shuffle(&mut all);
@@ -49,11 +71,28 @@ impl Exam {
             let aim = aims[dice.below(aims.len())];
             let Ok(stage) = Stage::with_aim(lesson, step, aim, scenes, shelf) else { continue };
             let Ok(mut posed) = Posed::new(question, &stage) else { continue };
+            let Some(before) = told_before(step, question, &stage) else { continue };
             dice.shuffle_form(&mut posed.form);
-            questions.push(ExamQuestion { lesson: lesson.id.clone(), step: step.title.clone(), stage, posed });
+            let (lesson, step) = (lesson.id.clone(), step.title.clone());
+            questions.push(ExamQuestion { lesson, step, before, stage, posed });
         }
         Self { seed, questions }
     }
+}
+
+/// The text and the tables of a step before one of its questions; none where something in them has no value for this ray.
+fn told_before(step: &Step, question: &Question, stage: &Stage) -> Option<Vec<Before>> {
+    let mut findings = Vec::new();
+    let mut before = Vec::new();
+    for part in &step.parts {
+        match part {
+            Part::Question(asked) if std::ptr::eq(asked.as_ref(), question) => break,
+            Part::Prose(prose) => before.push(Before::Prose(stage.tell(prose, &mut findings))),
+            Part::Table(table) => before.push(Before::Table(stage.table(table, &mut findings))),
+            Part::Claims(_) | Part::Slip(_) | Part::Question(_) => {}
+        }
+    }
+    findings.is_empty().then_some(before)
 }
 
 fn is_on_paper(question: &Question) -> bool {

@@ -66,7 +66,9 @@ impl Glossary {
     /// The term of that name, or with that other form.
     #[must_use]
     pub fn find(&self, name: &str) -> Option<&Term> {
-        let is_it = |form: &str| form.eq_ignore_ascii_case(name);
+        // Links are written without spaces.
+        let plain = |text: &str| text.replace(['-', '_'], " ").to_lowercase();
+        let is_it = |form: &str| plain(form) == plain(name);
         self.terms.iter().find(|term| is_it(&term.name) || term.also.iter().any(|form| is_it(form)))
     }
 

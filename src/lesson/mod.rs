@@ -22,7 +22,7 @@ mod table;
 
 pub use check::{Checked, check_course, check_lesson};
 pub use course::{Course, EMBEDDED, LessonText};
-pub use exam::{Exam, ExamQuestion};
+pub use exam::{Before, Exam, ExamQuestion};
 pub use glossary::{Glossary, Term};
 pub use model::{Lesson, Part, Step};
 pub use place::{Finding, Findings, Place};
@@ -30,6 +30,6 @@ pub use progress::{Progress, Record};
 pub use prose::Told;
 pub use question::{Answer, Posed, Verdict};
 pub use scenes::{Compiled, NoShelf, Scenes, Shelf};
-pub use source::read;
+pub use source::{lesson_schema, read};
 pub use stage::Stage;
 pub use table::ToldTable;

@@ -1,9 +1,9 @@
 //! A lesson as it was understood: nothing in it has been traced yet.
 
 use super::expression::Expression;
+use super::expression::Format;
 use super::place::Place;
 use super::prose::{Inline, Line, Prose, Reference};
-use super::expression::Format;
 use crate::document;
 use crate::query::Query;
 use crate::scene::Profile;
@@ -280,7 +280,10 @@ pub enum Condition {
 impl Lesson {
     /// All questions, each with the step that it stands in, counted from 0.
     pub fn questions(&self) -> impl Iterator<Item = (usize, &Question)> {
-        self.steps.iter().enumerate().flat_map(|(number, step)| step.questions().map(move |question| (number, question)))
+        self.steps
+            .iter()
+            .enumerate()
+            .flat_map(|(number, step)| step.questions().map(move |question| (number, question)))
     }
 }
 

@@ -81,7 +81,8 @@ impl Progress {
     /// # Errors
     /// Where in the text it is something else.
     pub fn read(text: &str) -> Result<Self, String> {
-        let file: File = serde_json::from_str(text).map_err(|error| format!("this is no record of progress: {error}"))?;
+        let file: File =
+            serde_json::from_str(text).map_err(|error| format!("this is no record of progress: {error}"))?;
         if file.format != FORMAT {
             return Err(format!("the format is `{}`, and `{FORMAT}` can be read", file.format));
         }
@@ -98,7 +99,9 @@ mod tests {
         let mut progress = Progress::default();
         let lesson = progress.of("06_cube");
         (lesson.step, lesson.furthest) = (2, 3);
-        lesson.answers.insert(1, Record { tries: 2, solved: true, last: Some(Answer::Number(3.25)), ..Record::default() });
+        lesson
+            .answers
+            .insert(1, Record { tries: 2, solved: true, last: Some(Answer::Number(3.25)), ..Record::default() });
         assert_eq!(Progress::read(&progress.to_json()), Ok(progress));
     }
 

@@ -130,7 +130,8 @@ pub fn code(pieces: &[Piece<Told>]) -> String {
 
 /// A value as LaTeX writes it: a sign that belongs to its number, powers of ten, names upright.
 fn as_latex(text: &str) -> String {
-    let is_numeric = |c: char| c.is_ascii_digit() || matches!(c, '.' | '−' | '·' | ' ' | '(' | ')' | ',' | '∞' | '°' | '%');
+    let is_numeric =
+        |c: char| c.is_ascii_digit() || matches!(c, '.' | '−' | '·' | ' ' | '(' | ')' | ',' | '∞' | '°' | '%');
     let is_power = |c: char| "⁻⁰¹²³⁴⁵⁶⁷⁸⁹".contains(c);
     if !text.chars().all(|c| is_numeric(c) || is_power(c)) {
         return format!("\\text{{{}}}", text.replace('%', "\\%").replace('_', "\\_"));
@@ -210,7 +211,9 @@ pub fn words<V>(prose: &[Block<V>]) -> usize {
 fn words_of<V>(line: &[Inline<V>]) -> usize {
     line.iter()
         .map(|inline| match inline {
-            Inline::Text(text) => text.split_whitespace().filter(|word| word.chars().any(char::is_alphanumeric)).count(),
+            Inline::Text(text) => {
+                text.split_whitespace().filter(|word| word.chars().any(char::is_alphanumeric)).count()
+            }
             Inline::Value(_) | Inline::Code(_) | Inline::Formula(_) => 1,
             Inline::Emphasis(line) | Inline::Strong(line) | Inline::Link(_, line) => words_of(line),
             Inline::Break => 0,

@@ -55,12 +55,7 @@ impl Scenes {
     ///
     /// # Errors
     /// As [`Self::scene`]; and if there is no aim, or the pixel lies outside the picture.
-    pub fn trace(
-        &self,
-        lesson: &str,
-        aim: &Aim,
-        shelf: &dyn Shelf,
-    ) -> Result<(Arc<Compiled>, Arc<RayTree>), String> {
+    pub fn trace(&self, lesson: &str, aim: &Aim, shelf: &dyn Shelf) -> Result<(Arc<Compiled>, Arc<RayTree>), String> {
         let compiled = self.scene(lesson, aim, shelf)?;
         let at = aim.at.ok_or("nothing is aimed at yet: the `step` block needs a `pixel` or a `ray`")?;
         let key = format!("{lesson}|{}|{:?}|{:?}|{at:?}", aim.scene, aim.changes, aim.accuracy);
@@ -116,7 +111,8 @@ fn compile(lesson: &str, aim: &Aim, shelf: &dyn Shelf) -> Result<Compiled, Strin
         }
     };
     let text = changed(&text, &aim.changes)?;
-    let scene = load_with(&text, name, files.as_ref()).map_err(|errors| format!("the scene {name} cannot be used: {errors}"))?;
+    let scene = load_with(&text, name, files.as_ref())
+        .map_err(|errors| format!("the scene {name} cannot be used: {errors}"))?;
     let scene = match &aim.accuracy {
         Some(profile) => scene.with_profile(profile),
         None => scene,

@@ -137,7 +137,9 @@ impl Stage {
         let value = reference.expression.evaluate(&known).map_err(|error| self.wrong(reference, &error.message))?;
         let text = match &value {
             Value::None | Value::Record(_) | Value::Trace(_) => {
-                return Err(self.wrong(reference, &format!("this is {}, and no text: name one of its fields", value.kind())));
+                return Err(
+                    self.wrong(reference, &format!("this is {}, and no text: name one of its fields", value.kind()))
+                );
             }
             value => reference.format.written(value),
         };

@@ -19,6 +19,12 @@ const MARGIN: f64 = 12.0;
 /// Room between the last bar's row and the axis, so that the labels below that bar stand clear of the line.
 const LAST_LABELS: f64 = 9.0;
 
+/// Bars that are closer lie on each other: then the caption stands alone.
+const LEAST_PITCH: f64 = 8.0;
+
+/// Between two names of boundaries in a line; closer, they read as one.
+const BETWEEN: f64 = 3.0;
+
 /// Slices in which an unbounded end fades out.
 const FADE_STEPS: u32 = 7;
 
@@ -170,6 +176,9 @@ impl Bars {
     fn lists(&mut self, top: f64, heads: &[String; 3], lists: [Option<&Vec<Span>>; 3], hit: Option<(EventId, f64)>) {
         let bottom = self.drawing.height - 34.0 - LAST_LABELS;
         let pitch = ((bottom - top) / 3.0).min(84.0);
+        if pitch < LEAST_PITCH {
+            return;
+        }
         let thick = (pitch * 0.34).clamp(7.0, 20.0);
         let colours = [self.palette.left, self.palette.right, self.palette.combined];
         let middles = [0.5, 1.5, 2.5].map(|rows| top + pitch * rows);
@@ -359,7 +368,10 @@ impl Bars {
                 for anchor in [outward, Anchor::Middle, Anchor::Start, Anchor::End] {
                     let label = Label::new(text.clone(), SMALL, self.palette.ink);
                     let text: Text = label.at([x, y], anchor, Some(self.palette.ground));
-                    if text.frame().low[0] >= self.axis.points[0] - 6.0
+                    let Frame { low, high } = text.frame();
+                    let clear = Frame { low: [low[0] - BETWEEN, low[1]], high: [high[0] + BETWEEN, high[1]] };
+                    if low[0] >= self.axis.points[0] - 6.0
+                        && self.placer.is_free(&clear)
                         && self.placer.put_at(&mut self.drawing, text, Some(self.event))
                     {
                         return;

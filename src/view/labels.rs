@@ -109,6 +109,11 @@ impl Placer {
         self.canvas.holds(frame) && !self.taken.iter().any(|taken| taken.overlaps(frame))
     }
 
+    /// Whether it is free, and off every line, outline and spot.
+    pub fn is_clear(&self, frame: &Frame) -> bool {
+        self.is_free(frame) && self.cost(frame) == 0.0
+    }
+
     /// Puts a text that has its place already, if that is free.
     pub fn put_at(&mut self, drawing: &mut Drawing, text: Text, event: Option<EventId>) -> bool {
         let frame = text.frame();

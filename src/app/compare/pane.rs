@@ -209,7 +209,7 @@ impl ComparePane {
         let name = say(ui.ctx(), "compare-name");
         if let Some(pin) = self.pins.get_mut(self.chosen) {
             let label = ui.label(name);
-            ui.add(TextEdit::singleline(&mut pin.name).desired_width(130.0)).labelled_by(label.id);
+            ui.add(TextEdit::singleline(&mut pin.name).desired_width(170.0)).labelled_by(label.id);
         }
     }
 

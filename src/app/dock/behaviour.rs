@@ -15,8 +15,8 @@ use egui_tiles::{Behavior, SimplificationOptions, TabState, Tabs, TileId, Tiles,
 const HEADER: f32 = 30.0;
 /// The gap between two panels, in points; the handle that resizes them lies in it.
 const GAP: f32 = 6.0;
-/// Between a tab's title and the cross that closes it, in points; `egui_tiles` has it so.
-const CLOSING: f32 = 4.0;
+/// Room at both sides of a tab's title, in points.
+const BESIDE_TITLE: f32 = 7.0;
 /// No panel becomes narrower or lower than this, in points.
 const SMALLEST: f32 = 96.0;
 
@@ -93,15 +93,14 @@ impl Behavior<Pane> for Docking<'_> {
         RichText::new(title).font(title_font()).into()
     }
 
-    fn is_tab_closable(&self, tiles: &Tiles<Pane>, tile: TileId) -> bool {
-        // A panel that stands alone has a title rather than a tab; menus and keys close it.
-        tiles.parent_of(tile).and_then(|parent| tiles.get_container(parent)).is_some_and(|tabs| tabs.num_children() > 1)
+    fn tab_title_spacing(&self, _visuals: &Visuals) -> f32 {
+        BESIDE_TITLE
     }
 
     fn top_bar_right_ui(&mut self, tiles: &Tiles<Pane>, ui: &mut Ui, _tile: TileId, tabs: &Tabs, _scroll: &mut f32) {
         if let Some(pane) = tabs.active.and_then(|active| tiles.get_pane(&active)) {
             ui.add_space(6.0);
-            let room = ui.available_width() - self.width_of(tiles, ui, tabs);
+            let room = ui.available_width() - width_of(tiles, ui, tabs);
             header::show(ui, self.workbench, *pane, room);
         }
     }
@@ -150,19 +149,17 @@ impl Docking<'_> {
     fn palette(&self) -> Palette {
         Palette::current(&self.workbench.ctx())
     }
+}
 
-    /// How much room all tabs of a header take.
-    fn width_of(&self, tiles: &Tiles<Pane>, ui: &Ui, tabs: &Tabs) -> f32 {
-        let closing = if tabs.children.len() > 1 { CLOSING + self.close_button_outer_size() } else { 0.0 };
-        let around = 2.0 * self.tab_title_spacing(ui.visuals()) + closing;
-        let width = |pane: &Pane| {
-            let title = say(ui.ctx(), pane.word());
-            ui.painter().layout_no_wrap(title, title_font(), Color32::WHITE).size().x + around
-        };
-        tabs.children.iter().filter_map(|tile| tiles.get_pane(tile)).map(width).sum()
-    }
+/// How much room all tabs of a header take.
+fn width_of(tiles: &Tiles<Pane>, ui: &Ui, tabs: &Tabs) -> f32 {
+    let width = |pane: &Pane| {
+        let title = say(ui.ctx(), pane.word());
+        ui.painter().layout_no_wrap(title, title_font(), Color32::WHITE).size().x + 2.0 * BESIDE_TITLE
+    };
+    tabs.children.iter().filter_map(|tile| tiles.get_pane(tile)).map(width).sum()
 }
 
 fn title_font() -> FontId {
-    FontId::new(13.5, bold())
+    FontId::new(13.0, bold())
 }

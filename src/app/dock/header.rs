@@ -5,21 +5,21 @@ use crate::app::frame::theme::Palette;
 use crate::app::frame::words::{language, say};
 use crate::app::pane::Pane;
 use crate::app::workbench::Workbench;
-use egui::text::LayoutJob;
-use egui::{Id, TextStyle, Ui};
+use egui::{Color32, FontId, Id, Label, RichText, Role, TextStyle, Ui, WidgetInfo};
 
-/// Less room than this is not worth a word, in points.
-const LEAST_WORDS: f32 = 40.0;
 /// Between tabs and tools, in points. Less, and a rounded width makes the arrows appear with which tabs are scrolled.
 const GAP: f32 = 12.0;
+/// The sign of a menu.
+const MENU: &str = "⏷";
+/// Between the parts of what is said in a header.
+const BETWEEN: &str = " · ";
 
 /// Shows tools and words, from right to left, within as much room as the tabs leave.
 pub fn show(ui: &mut Ui, workbench: &mut Workbench, pane: Pane, room: f32) {
     let begin = ui.available_width();
-    let room = room - GAP;
+    let room = (room - GAP).max(0.0);
     if wanted(ui, pane) > room {
-        let menu = ui.menu_button(say(ui.ctx(), "tools-menu"), |ui| workbench.pane_tools(ui, pane));
-        menu.response.on_hover_text(say(ui.ctx(), "tools-menu-about"));
+        menu(ui, workbench, pane, room);
     } else {
         workbench.pane_tools(ui, pane);
         let width = begin - ui.available_width();
@@ -32,6 +32,17 @@ pub fn show(ui: &mut Ui, workbench: &mut Workbench, pane: Pane, room: f32) {
     if let Some(state) = workbench.pane_state(ui.ctx(), pane) {
         words(ui, &state, room - (begin - ui.available_width()));
     }
+}
+
+/// The tools below a word, or below a sign alone.
+fn menu(ui: &mut Ui, workbench: &mut Workbench, pane: Pane, room: f32) {
+    let name = say(ui.ctx(), "tools-menu");
+    let title = format!("{name}  {MENU}");
+    let around = 2.0 * ui.spacing().button_padding.x + 2.0;
+    let fits = width(ui, &title, &TextStyle::Button.resolve(ui.style())) + around <= room;
+    let menu = ui.menu_button(if fits { &title } else { MENU }, |ui| workbench.pane_tools(ui, pane));
+    menu.response.widget_info(|| WidgetInfo::labeled(Role::Button, true, &name));
+    menu.response.on_hover_text(say(ui.ctx(), "tools-menu-about"));
 }
 
 /// How wide a panel's tools were when they were last shown beside each other.
@@ -48,19 +59,21 @@ fn place(ui: &Ui, pane: Pane) -> Id {
     Id::unique(("tools", pane.word(), language(ui.ctx()).tag()))
 }
 
-/// As much of the words as there is room for; all of them under the pointer.
+/// As many parts of the words as there is room for; all of them under the pointer and to screen readers. Half a number is none.
 fn words(ui: &mut Ui, text: &str, room: f32) {
-    if room < LEAST_WORDS {
-        return;
-    }
     let font = TextStyle::Small.resolve(ui.style());
-    let mut job = LayoutJob::simple(text.to_owned(), font, Palette::current(ui.ctx()).weak, room);
-    job.wrap.max_rows = 1;
-    job.wrap.break_anywhere = true;
-    let galley = ui.ctx().fonts_mut(|fonts| fonts.layout_job(job));
-    let is_cut = galley.elided;
-    let label = ui.label(galley);
-    if is_cut {
+    let room = room - ui.spacing().item_spacing.x;
+    let ends = text.match_indices(BETWEEN).map(|(end, _)| end).chain([text.len()]);
+    let shown = ends.map(|end| &text[..end]).filter(|part| width(ui, part, &font) <= room).last();
+    let Some(shown) = shown.filter(|shown| !shown.is_empty()) else { return };
+    let weak = Palette::current(ui.ctx()).weak;
+    let label = ui.add(Label::new(RichText::new(shown).font(font).color(weak)).extend());
+    label.widget_info(|| WidgetInfo::labeled(Role::Label, true, text));
+    if shown.len() < text.len() {
         label.on_hover_text(text);
     }
+}
+
+fn width(ui: &Ui, text: &str, font: &FontId) -> f32 {
+    ui.painter().layout_no_wrap(text.to_owned(), font.clone(), Color32::WHITE).size().x
 }

@@ -11,7 +11,7 @@ use crate::record::EventId;
 use crate::scene::Scene;
 use crate::trace::RayTree;
 use crate::view::{Drawing, Theme, event_plot, probed_interval_bars, probed_sign_plot};
-use egui::{Color32, Pos2, Rect, Sense, Ui, Vec2, pos2};
+use egui::{Color32, Pos2, Rect, ScrollArea, Sense, Ui, Vec2, pos2, vec2};
 use std::sync::Arc;
 
 /// How far from a mark a click still counts, in points. Less makes thin lines hard to hit.
@@ -20,6 +20,9 @@ const REACH: f64 = 5.0;
 /// The plots' heights as parts of each other: three lists with labels need more than one curve, and a drawing
 /// with its caption and its legend needs most.
 const HEIGHTS: [f32; 3] = [1.27, 1.0, 1.8];
+
+/// The least heights in which they can be read, in points: lower, they are scrolled.
+const LEAST: [f32; 3] = [138.0, 100.0, 165.0];
 
 /// What there is to plot of an event.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -88,6 +91,23 @@ impl PlotsPanel {
             return None;
         };
         let whole = ui.available_rect_before_wrap();
+        let least = least(self.present);
+        if whole.height() >= least {
+            let clicked = self.plots(ui, recording, whole);
+            if self.present == [false; 3] {
+                empty(ui, &say(ui.ctx(), nothing));
+            }
+            return clicked;
+        }
+        let scroll = ScrollArea::vertical().auto_shrink(false).id_salt("along");
+        let shown = scroll.show(ui, |ui| {
+            let (whole, _) = ui.allocate_exact_size(vec2(ui.available_width(), least), Sense::hover());
+            self.plots(ui, recording, whole)
+        });
+        shown.inner
+    }
+
+    fn plots(&mut self, ui: &Ui, recording: &Recording, whole: Rect) -> Option<EventId> {
         let [upper, middle, lower] = rows(whole, self.present);
         let plotted = recording.plotted();
         let look = |canvas: &mut Canvas<Key>, plot, event, rect| show(ui, canvas, plot, recording, event, rect);
@@ -98,9 +118,6 @@ impl PlotsPanel {
         if present != self.present {
             self.present = present;
             ui.ctx().request_repaint();
-        }
-        if present == [false; 3] {
-            empty(ui, &say(ui.ctx(), nothing));
         }
         bars.clicked.or(signs.clicked).or(event.clicked)
     }
@@ -123,6 +140,13 @@ fn rows(whole: Rect, present: [bool; 3]) -> [Rect; 3] {
         top = bottom;
         row
     })
+}
+
+/// The least height of what is present, so that each plot has its own.
+fn least(present: [bool; 3]) -> f32 {
+    let plots = (0..3).filter(|i| present[*i]);
+    let parts: f32 = plots.clone().map(|i| HEIGHTS[i]).sum();
+    parts * plots.map(|i| LEAST[i] / HEIGHTS[i]).fold(0.0, f32::max)
 }
 
 /// What became of a plot.

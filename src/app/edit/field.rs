@@ -144,7 +144,7 @@ fn choice(
     label: egui::Id,
     change: &mut Change,
 ) {
-    let combo = ComboBox::from_id_salt(property.place.to_string()).selected_text(word).width(140.0);
+    let combo = ComboBox::from_id_salt(property.place.to_string()).selected_text(word).width(140.0).height(360.0);
     let shown = combo.show_ui(ui, |ui| {
         for (name, about) in words {
             let line = ui.selectable_label(name == word, name);

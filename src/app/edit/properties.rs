@@ -97,6 +97,9 @@ impl Editing {
         };
         let undo = named("edit-undo-named", self.document.undo_name());
         let redo = named("edit-redo-named", self.document.redo_name());
+        if undo.is_none() && redo.is_none() {
+            return;
+        }
         ui.horizontal_wrapped(|ui| {
             if undo.is_some_and(|title| ui.small_button(title).clicked()) {
                 wishes.push(Wish::Undo);

@@ -3,10 +3,12 @@
 use crate::app::command::Command;
 use crate::app::frame::words::{say, say_with};
 use crate::app::workbench::Workbench;
-use egui::{Button, ScrollArea, Ui};
+use egui::{Button, Color32, ScrollArea, TextStyle, Ui};
 
-/// Width of a menu, in points.
+/// The least width of a menu, in points.
 const WIDTH: f32 = 250.0;
+/// Room for what stands beside a command's name and key: a tick, the gap between them, and the padding, in points.
+const BESIDE: f32 = 68.0;
 /// Height above which a menu scrolls, in points.
 const HEIGHT: f32 = 560.0;
 
@@ -28,7 +30,8 @@ pub fn compact(ui: &mut Ui, workbench: &Workbench) -> Option<Command> {
 
 fn list(ui: &mut Ui, workbench: &Workbench, commands: &[Command]) -> Option<Command> {
     let mut chosen = None;
-    ui.set_min_width(WIDTH);
+    let width = commands.iter().map(|&command| width_of(ui, command)).fold(WIDTH, f32::max);
+    ui.set_width(width);
     ui.spacing_mut().item_spacing.y = 1.0;
     ScrollArea::vertical().max_height(HEIGHT).show(ui, |ui| {
         for &command in commands {
@@ -39,6 +42,14 @@ fn list(ui: &mut Ui, workbench: &Workbench, commands: &[Command]) -> Option<Comm
         }
     });
     chosen
+}
+
+/// How wide a command with its key is.
+fn width_of(ui: &Ui, command: Command) -> f32 {
+    let font = TextStyle::Button.resolve(ui.style());
+    let width = |text: String| ui.painter().layout_no_wrap(text, font.clone(), Color32::WHITE).size().x;
+    let key = command.key().map_or(0.0, |key| width(ui.ctx().format_shortcut(&key)));
+    width(say(ui.ctx(), command.word())) + key + BESIDE
 }
 
 /// Shows a command with its key; returns whether it was chosen.

@@ -20,6 +20,8 @@ const UPPER: f32 = 42.0;
 const MARGIN: f32 = 14.0;
 /// A bar that is narrower has one menu for all, in points.
 const NARROW: f32 = 940.0;
+/// Less room than this is not worth the numbers of sections, in points.
+const SECTIONS: f32 = 60.0;
 /// No more pixels than this are offered, so that there is room for the text.
 const MOST_PIXELS: usize = 4;
 /// Lines of the scene's own words that are shown; longer ones are for the tooltip.
@@ -134,7 +136,10 @@ fn title(ui: &mut Ui, open: Option<&OpenScene>) {
     };
     ui.add_space(6.0);
     ui.add(Label::new(RichText::new(&open.scene.title).family(bold()).size(14.5)).truncate());
-    ui.add(Label::new(RichText::new(sections).weak()).truncate());
+    // The beginning of a number would be another section's.
+    if ui.available_width() > SECTIONS {
+        ui.add(Label::new(RichText::new(sections).weak()).truncate());
+    }
 }
 
 /// The scene in its own words, and the pixels that tell its story best.

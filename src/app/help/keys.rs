@@ -4,7 +4,7 @@ use super::Outcome;
 use crate::app::command::Command;
 use crate::app::frame::theme::bold;
 use crate::app::frame::words::say;
-use egui::{Grid, Id, Label, Modal, RichText, ScrollArea, Ui};
+use egui::{Align, Id, Label, Layout, Modal, RichText, ScrollArea, Ui, vec2};
 
 /// Width of the table, in points.
 const WIDTH: f32 = 620.0;
@@ -31,7 +31,7 @@ pub fn ui(ui: &Ui) -> Outcome {
         ui.set_width(width);
         ui.horizontal(|ui| {
             ui.label(RichText::new(say(ui.ctx(), "help-keys")).size(17.0).family(bold()));
-            ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+            ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                 closed = ui.button(say(ui.ctx(), "close")).clicked();
             });
         });
@@ -52,27 +52,26 @@ fn table(ui: &mut Ui) {
             continue;
         }
         heading(ui, menu);
-        Grid::new(menu).num_columns(2).striped(true).min_col_width(KEYS).show(ui, |ui| {
-            for (command, key) in keyed {
-                ui.label(RichText::new(ui.ctx().format_shortcut(&key)).monospace());
-                meaning(ui, &format!("{}-about", command.word()));
-                ui.end_row();
-            }
-        });
+        for (command, key) in keyed {
+            row(ui, &ui.ctx().format_shortcut(&key), &format!("{}-about", command.word()));
+        }
     }
     heading(ui, "keys-within");
-    Grid::new("keys within panels").num_columns(2).striped(true).min_col_width(KEYS).show(ui, |ui| {
-        for (keys, about) in WITHIN {
-            ui.label(RichText::new(say(ui.ctx(), keys)).monospace());
-            meaning(ui, about);
-            ui.end_row();
-        }
-    });
+    for (keys, about) in WITHIN {
+        row(ui, &say(ui.ctx(), keys), about);
+    }
 }
 
-fn meaning(ui: &mut Ui, word: &str) {
-    ui.set_max_width(WIDTH - KEYS - 40.0);
-    ui.add(Label::new(say(ui.ctx(), word)).wrap());
+/// The keys, and beside them in as many lines as they need what they do.
+fn row(ui: &mut Ui, keys: &str, about: &str) {
+    ui.horizontal_top(|ui| {
+        let column = vec2(KEYS, ui.spacing().interact_size.y);
+        ui.allocate_ui_with_layout(column, Layout::left_to_right(Align::Min), |ui| {
+            ui.set_min_width(KEYS);
+            ui.label(RichText::new(keys).monospace());
+        });
+        ui.add(Label::new(say(ui.ctx(), about)).wrap());
+    });
 }
 
 fn heading(ui: &mut Ui, word: &str) {

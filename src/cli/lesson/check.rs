@@ -3,7 +3,7 @@
 use crate::cli::failure::Failure;
 use crate::cli::output::Output;
 use crate::cli::progress::{stopped_by_ctrl_c, with_bar};
-use crate::lesson::{check_course, check_lesson, Scenes};
+use crate::lesson::{Scenes, check_course, check_lesson};
 use crate::lesson_folder::Lessons;
 use clap::Args;
 use std::fmt::Write;
@@ -24,51 +24,52 @@ impl Check {
             Some(folder) => Lessons::named(folder).map_err(Failure::usage)?,
             None => Lessons::embedded(),
         };
-        let checked = match &lessons.chosen {
-            Some(id) => {
-                let mut checked = lessons.course.lesson(id).map_or_else(Default::default, |lesson| {
-                    check_lesson(lesson, &Scenes::default(), &lessons.shelf)
-                });
-                checked.findings.extend(lessons.course.findings.iter().filter(|finding| finding.file.contains(id)).cloned());
-                checked.findings.sort();
-                checked.findings.dedup();
-                checked
-            }
-            None => {
-                let progress = stopped_by_ctrl_c();
-                let done = AtomicUsize::new(0);
-                let total = lessons.course.lessons.len();
-                let checked = with_bar(total, || done.load(Ordering::Relaxed), || {
-                    check_course(&lessons.course, &lessons.shelf, &mut |number, _| {
-                        done.store(number, Ordering::Relaxed);
-                        !progress.cancelled()
-                    })
-                });
-                if progress.cancelled() {
-                    return Err(Failure::interrupted("interrupted: not all lessons were checked"));
-                }
-                checked
-            }
+        let (checked, count) = match &lessons.chosen {
+            Some(id) => (one(&lessons, id), 1),
+            None => (all(&lessons)?, lessons.course.lessons.len()),
         };
-        let mut text = String::new();
-        for finding in &checked.findings {
-            let _ = writeln!(text, "{finding}");
-        }
-        let count = if lessons.chosen.is_some() { 1 } else { lessons.course.lessons.len() };
-        let of = if count == 1 { "1 lesson".to_owned() } else { format!("{count} lessons") };
-        let _ = writeln!(
-            text,
-            "{of}: {} values, {} claims and {} answers checked; {}",
-            checked.values,
-            checked.claims,
-            checked.answers,
-            match checked.findings.len() {
-                0 => "everything holds".to_owned(),
-                1 => "1 thing is wrong".to_owned(),
-                wrong => format!("{wrong} things are wrong"),
-            }
-        );
-        Output::Standard.write(text.as_bytes())?;
+        Output::Standard.write(written(&checked, count).as_bytes())?;
         if checked.findings.is_empty() { Ok(()) } else { Err(Failure::differs()) }
     }
+}
+
+/// One lesson, with what was found when it was read.
+fn one(lessons: &Lessons, id: &str) -> Checked {
+    let lesson = lessons.course.lesson(id);
+    let mut checked =
+        lesson.map_or_else(Checked::default, |lesson| check_lesson(lesson, &Scenes::default(), &lessons.shelf));
+    let of_it = |finding: &&Finding| lesson.is_none_or(|lesson| lesson.file == finding.file);
+    checked.findings.extend(lessons.course.findings.iter().filter(of_it).cloned());
+    checked.findings.sort();
+    checked.findings.dedup();
+    checked
+}
+
+/// All lessons, with a bar.
+fn all(lessons: &Lessons) -> Result<Checked, Failure> {
+    let progress = stopped_by_ctrl_c();
+    let done = AtomicUsize::new(0);
+    let mut watch = |number: usize, _: usize| {
+        done.store(number, Ordering::Relaxed);
+        !progress.cancelled()
+    };
+    let work = || check_course(&lessons.course, &lessons.shelf, &mut watch);
+    let checked = with_bar(lessons.course.lessons.len(), || done.load(Ordering::Relaxed), work);
+    if progress.cancelled() {
+        return Err(Failure::interrupted("interrupted: not all lessons were checked"));
+    }
+    Ok(checked)
+}
+
+fn written(checked: &Checked, count: usize) -> String {
+    let mut text: String = checked.findings.iter().map(|finding| format!("{finding}\n")).collect();
+    let lessons = if count == 1 { "1 lesson".to_owned() } else { format!("{count} lessons") };
+    let outcome = match checked.findings.len() {
+        0 => "everything holds".to_owned(),
+        1 => "1 thing is wrong".to_owned(),
+        wrong => format!("{wrong} things are wrong"),
+    };
+    let Checked { values, claims, answers, .. } = checked;
+    let _ = writeln!(text, "{lessons}: {values} values, {claims} claims and {answers} answers checked; {outcome}");
+    text
 }

@@ -1,9 +1,9 @@
 //! `rayscope lesson exam`: questions on paper, and the teacher's sheet.
 
-use super::written::{question_text, Answers};
+use super::written::{Answers, question_text};
 use crate::cli::failure::Failure;
 use crate::cli::output::Output;
-use crate::lesson::{Exam as Drawn, NoShelf, Scenes};
+use crate::lesson::{Before, Exam as Drawn, Scenes};
 use crate::lesson_folder::Lessons;
 use clap::Args;
 use std::fmt::Write;
@@ -45,17 +45,19 @@ impl Exam {
         let output = Output::create(self.output.as_deref())?;
         let ids: Vec<&str> = self.lessons.iter().map(String::as_str).collect();
         let scenes = Scenes::default();
-        let shelf: &dyn crate::lesson::Shelf = if self.from.is_some() { &lessons.shelf } else { &NoShelf };
-        let exam = Drawn::draw(&lessons.course, &ids, self.count, self.seed, &scenes, shelf);
+        let exam = Drawn::draw(&lessons.course, &ids, self.count, self.seed, &scenes, &lessons.shelf);
         let sheet = if self.answers { "Answers" } else { "Questions" };
         let mut text = format!("# {sheet}: examination {}\n\n", exam.seed);
         for (number, question) in exam.questions.iter().enumerate() {
             let aim = question.stage.aim_in_words();
             let _ = writeln!(text, "## {}. {}\n\n{aim}.\n", number + 1, question.step);
-            text.push_str(&question_text(
-                &question.posed,
-                if self.answers { Answers::Shown } else { Answers::Hidden },
-            ));
+            for before in &question.before {
+                text.push_str(&match before {
+                    Before::Prose(prose) => prose_text(prose),
+                    Before::Table(table) => table_text(&table.head, &table.rows),
+                });
+            }
+            text.push_str(&question_text(&question.posed, if self.answers { Answers::Shown } else { Answers::Hidden }));
             text.push('\n');
         }
         output.write(text.as_bytes())

@@ -1,6 +1,6 @@
 //! `rayscope lesson show`: a lesson as text.
 
-use super::written::{lesson_text, Answers};
+use super::written::{Answers, lesson_text};
 use crate::cli::failure::Failure;
 use crate::cli::output::Output;
 use crate::lesson::Scenes;

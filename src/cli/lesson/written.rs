@@ -96,7 +96,9 @@ pub fn prose_text(prose: &Prose<Told>) -> String {
                 }
                 text.push('\n');
             }
-            Block::Code(pieces) => text.push_str(&format!("    {}\n\n", code(pieces).trim_end().replace('\n', "\n    "))),
+            Block::Code(pieces) => {
+                text.push_str(&format!("    {}\n\n", code(pieces).trim_end().replace('\n', "\n    ")))
+            }
             Block::Formula(pieces) => text.push_str(&format!("    {}\n\n", latex(pieces).trim())),
             Block::Table { head, rows } => text.push_str(&table_text(head, rows)),
         }
@@ -119,7 +121,8 @@ fn line_text(line: &Line<Told>) -> String {
         .collect()
 }
 
-fn table_text(head: &[Line<Told>], rows: &[Vec<Line<Told>>]) -> String {
+/// A table as Markdown.
+pub fn table_text(head: &[Line<Told>], rows: &[Vec<Line<Told>>]) -> String {
     let row = |cells: &[Line<Told>]| {
         let cells: Vec<_> = cells.iter().map(line_text).collect();
         format!("| {} |\n", cells.join(" | "))
@@ -159,7 +162,8 @@ pub fn question_text(posed: &Posed, answers: Answers) -> String {
 
 /// The lists that are offered: the right one among the others, in the order of their first times.
 fn offered_lists(reckoned: &Reckoned<Vec<Stretch>>) -> Vec<&Vec<Stretch>> {
-    let mut lists: Vec<_> = std::iter::once(&reckoned.answer).chain(reckoned.wrong.iter().map(|(list, _)| list)).collect();
+    let mut lists: Vec<_> =
+        std::iter::once(&reckoned.answer).chain(reckoned.wrong.iter().map(|(list, _)| list)).collect();
     lists.sort_by_key(|list| list_text(list));
     lists
 }
@@ -205,7 +209,8 @@ fn answer_text(text: &mut String, posed: &Posed) {
             }
             for (wrong, because) in edit.edit.wrong.iter().zip(&edit.because) {
                 for change in &wrong.change {
-                    let _ = writeln!(text, "   does not: {} = {}: {}", change.at, change.to, prose_text(because).trim());
+                    let _ =
+                        writeln!(text, "   does not: {} = {}: {}", change.at, change.to, prose_text(because).trim());
                 }
             }
         }
@@ -217,7 +222,8 @@ fn answer_text(text: &mut String, posed: &Posed) {
 }
 
 fn reckoned_text<T>(text: &mut String, reckoned: &Reckoned<T>, written: impl Fn(&T) -> String) {
-    let tolerance = if reckoned.tolerance > 0.0 { format!(" ± {}", format_number(reckoned.tolerance)) } else { String::new() };
+    let tolerance =
+        if reckoned.tolerance > 0.0 { format!(" ± {}", format_number(reckoned.tolerance)) } else { String::new() };
     let _ = writeln!(text, "   right: {}{tolerance}", written(&reckoned.answer));
     for (wrong, because) in &reckoned.wrong {
         let _ = writeln!(text, "   wrong: {}: {}", written(wrong), prose_text(because).trim());

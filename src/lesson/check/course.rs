@@ -35,7 +35,9 @@ fn broken_links(lesson: &Lesson, course: &Course) -> Vec<Finding> {
     for_each_prose(lesson, &mut |prose, place| {
         for target in targets(prose) {
             let message = match target {
-                Target::Term(name) if course.glossary.find(name).is_none() => format!("the glossary has no term `{name}`"),
+                Target::Term(name) if course.glossary.find(name).is_none() => {
+                    format!("the glossary has no term `{name}`")
+                }
                 Target::Lesson(id) if course.lesson(id).is_none() => format!("there is no lesson `{id}`"),
                 Target::Source(path) if !is_source(path) => format!("`{path}` is no file of the program's source"),
                 _ => continue,

@@ -70,7 +70,8 @@ impl Check<'_> {
         };
         for view in step.views.iter().chain(&step.after) {
             if draw(view.value, &stage).is_none() {
-                let message = format!("the view `{}` shows nothing of this ray: {}", view.value.name, view.value.missing);
+                let message =
+                    format!("the view `{}` shows nothing of this ray: {}", view.value.name, view.value.missing);
                 self.add(view.place, message);
             }
         }
@@ -132,7 +133,9 @@ impl Check<'_> {
             Ok((posed, stage)) => check_answers(self, &posed, &stage, question.place),
             Err(findings) => {
                 let at = aim.at.map_or(String::new(), |at| format!("with the variant {at:?}: "));
-                let findings = findings.into_iter().map(|finding| Finding { message: format!("{at}{}", finding.message), ..finding });
+                let findings = findings
+                    .into_iter()
+                    .map(|finding| Finding { message: format!("{at}{}", finding.message), ..finding });
                 self.checked.findings.extend(findings);
             }
         }

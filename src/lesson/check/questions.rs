@@ -95,7 +95,8 @@ fn clicks(check: &mut Check, posed: &Posed, surface: Surface, reckoned: &Reckone
         check.checked.answers += 1;
         return;
     }
-    let spots = std::iter::once((None, &reckoned.answer)).chain(reckoned.wrong.iter().enumerate().map(|(n, (spot, _))| (Some(n), spot)));
+    let spots = std::iter::once((None, &reckoned.answer))
+        .chain(reckoned.wrong.iter().enumerate().map(|(n, (spot, _))| (Some(n), spot)));
     for (misconception, spot) in spots {
         match in_image(spot) {
             Some(click) => expect(check, &posed.judge_click(click, in_image), misconception, place, stage),

@@ -27,7 +27,10 @@ impl Check<'_> {
         let header = &self.lesson.header;
         let (section, minutes) = (header.section.clone(), header.minutes.clone());
         if !SECTIONS.contains(&section.value.as_str()) {
-            self.add(section.place, format!("§ {} is no section of the syllabus: there are {}", section.value, SECTIONS.join(", ")));
+            self.add(
+                section.place,
+                format!("§ {} is no section of the syllabus: there are {}", section.value, SECTIONS.join(", ")),
+            );
         }
         if !MINUTES.contains(&minutes.value) {
             self.add(minutes.place, "a lesson takes 5 to 15 minutes");
@@ -43,7 +46,10 @@ impl Check<'_> {
         for step in &self.lesson.steps {
             let count = words_of(step);
             if count > MOST_WORDS {
-                self.add(step.place, format!("this step has {count} words, and {MOST_WORDS} at most are read: split it"));
+                self.add(
+                    step.place,
+                    format!("this step has {count} words, and {MOST_WORDS} at most are read: split it"),
+                );
             }
         }
     }

@@ -126,7 +126,11 @@ fn field_of(node: &Node, of: &Node, field: &str, known: &dyn Known) -> Result<Va
     value.field(field).ok_or_else(|| {
         let names: Vec<String> = value.field_names().into_iter().map(str::to_owned).collect();
         let what = if names.is_empty() { format!("{} has no fields", value.kind()) } else { String::new() };
-        let list = if names.is_empty() { String::new() } else { format!("there is no field `{field}`: there are {}", names.join(", ")) };
+        let list = if names.is_empty() {
+            String::new()
+        } else {
+            format!("there is no field `{field}`: there are {}", names.join(", "))
+        };
         node.error(format!("{what}{list}"))
     })
 }

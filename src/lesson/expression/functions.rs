@@ -34,8 +34,23 @@ const ASKING: [&str; 8] = ["first", "last", "nth", "all", "count", "exists", "wi
 
 /// All others, for what to say about one that there is not.
 const OTHERS: [&str; 17] = [
-    "min", "max", "mod", "dot", "cross", "length", "normalise", "len", "sum", "sorted", "reversed", "map", "where", "unite",
-    "intersect", "subtract", "spans",
+    "min",
+    "max",
+    "mod",
+    "dot",
+    "cross",
+    "length",
+    "normalise",
+    "len",
+    "sum",
+    "sorted",
+    "reversed",
+    "map",
+    "where",
+    "unite",
+    "intersect",
+    "subtract",
+    "spans",
 ];
 
 /// Whether a function asks a recorded ray, so that what it gives is no typed number.
@@ -52,7 +67,8 @@ pub(super) fn call(node: &Node, name: &str, arguments: &[Node], known: &dyn Know
         let [value] = values(node, name, arguments, known)?;
         return match &value {
             Value::Number(x) => Ok(Value::Number(function(*x))),
-            value => each(value, function).ok_or_else(|| node.error(format!("`{name}` is of numbers, not of {}", value.kind()))),
+            value => each(value, function)
+                .ok_or_else(|| node.error(format!("`{name}` is of numbers, not of {}", value.kind()))),
         };
     }
     match name {
@@ -68,12 +84,15 @@ pub(super) fn call(node: &Node, name: &str, arguments: &[Node], known: &dyn Know
         }
         "length" | "normalise" => {
             let [value] = values(node, name, arguments, known)?;
-            let vector = value.numbers().ok_or_else(|| node.error(format!("`{name}` is of a vector, not of {}", value.kind())))?;
+            let vector = value
+                .numbers()
+                .ok_or_else(|| node.error(format!("`{name}` is of a vector, not of {}", value.kind())))?;
             let length = vector.iter().map(|x| x * x).sum::<f64>().sqrt();
             Ok(if name == "length" { Value::Number(length) } else { list(vector.iter().map(|x| x / length)) })
         }
         _ => {
-            let all: Vec<Value> = arguments.iter().map(|argument| evaluate(argument, known)).collect::<Result<_, _>>()?;
+            let all: Vec<Value> =
+                arguments.iter().map(|argument| evaluate(argument, known)).collect::<Result<_, _>>()?;
             lists::call(name, &all).unwrap_or_else(|| Err(unknown(name))).map_err(|message| node.error(message))
         }
     }
@@ -94,13 +113,18 @@ fn ask(node: &Node, name: &str, arguments: &[Node], known: &dyn Known) -> Outcom
         "first" => first(node, trace, &text(0)?, known),
         "count" => Ok(Value::Number(events(Question::to_all(trace, &text(0)?))?.len() as f64)),
         "exists" => Ok(Value::Truth(!events(Question::to_all(trace, &text(0)?))?.is_empty())),
-        "all" => events(Question::to_all(trace, &text(0)?))?.into_iter().map(event).collect::<Result<_, _>>().map(Value::List),
+        "all" => events(Question::to_all(trace, &text(0)?))?
+            .into_iter()
+            .map(event)
+            .collect::<Result<_, _>>()
+            .map(Value::List),
         "last" | "nth" => {
             let question = text(0)?;
             let found = events(Question::to_all(trace, &question))?;
             let nth = if name == "nth" { first_number(node, arguments, 1, known)? } else { found.len() as f64 };
             let place = found.iter().enumerate().find(|(at, _)| *at as f64 + 1.0 == nth);
-            let message = || format!("{} events answer `{question}`, and the one asked for is none of them", found.len());
+            let message =
+                || format!("{} events answer `{question}`, and the one asked for is none of them", found.len());
             event(*place.ok_or_else(|| node.error(message()))?.1)
         }
         _ => {
@@ -159,7 +183,11 @@ fn extreme(node: &Node, name: &str, arguments: &[Node], known: &dyn Known) -> Ou
         return Err(node.error(format!("`{name}` is of numbers")));
     };
     let least = if name == "min" { f64::min } else { f64::max };
-    numbers.into_iter().reduce(least).map(Value::Number).ok_or_else(|| node.error("an empty list has no least and no largest"))
+    numbers
+        .into_iter()
+        .reduce(least)
+        .map(Value::Number)
+        .ok_or_else(|| node.error("an empty list has no least and no largest"))
 }
 
 /// A function of every number of a list; none where there is something else in it.

@@ -17,7 +17,9 @@ pub(super) fn call(name: &str, arguments: &[Value]) -> Option<Result<Value, Stri
             list(numbers)
         }),
         ("spans", [value]) => spans(value),
-        ("unite" | "intersect" | "subtract", [a, b]) => pairs(a).and_then(|a| Ok(written(&combine(name, &a, &pairs(b)?)))),
+        ("unite" | "intersect" | "subtract", [a, b]) => {
+            pairs(a).and_then(|a| Ok(written(&combine(name, &a, &pairs(b)?))))
+        }
         ("len" | "sum" | "reversed" | "sorted" | "spans", _) => Err(format!("`{name}` is of one list")),
         ("unite" | "intersect" | "subtract", _) => Err(format!("`{name}` is of two interval lists")),
         _ => return None,
@@ -49,7 +51,9 @@ pub(super) fn by_item(
     arguments: &[Node],
     known: &dyn Known,
 ) -> Result<Value, ExpressionError> {
-    let [of, by] = arguments else { return Err(node.error(format!("`{name}` takes a list and an expression in quotes"))) };
+    let [of, by] = arguments else {
+        return Err(node.error(format!("`{name}` takes a list and an expression in quotes")));
+    };
     let (Value::List(items), Value::Text(text)) = (evaluate(of, known)?, evaluate(by, known)?) else {
         return Err(node.error(format!("`{name}` takes a list and an expression in quotes")));
     };
@@ -112,7 +116,9 @@ fn pairs(value: &Value) -> Result<Vec<Pair>, String> {
         Value::List(ends) if ends.len() == 2 => {
             Ok([end(Some(ends[0].clone()), f64::NEG_INFINITY)?, end(Some(ends[1].clone()), f64::INFINITY)?])
         }
-        Value::Record(_) => Ok([end(item.field("enter"), f64::NEG_INFINITY)?, end(item.field("leave"), f64::INFINITY)?]),
+        Value::Record(_) => {
+            Ok([end(item.field("enter"), f64::NEG_INFINITY)?, end(item.field("leave"), f64::INFINITY)?])
+        }
         _ => Err(expected()),
     };
     match value {

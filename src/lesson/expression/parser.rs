@@ -37,10 +37,7 @@ const PRODUCTS: [(&str, Operator); 2] = [("*", Operator::Multiply), ("/", Operat
 
 impl Parser {
     fn or(&mut self) -> Result<Node, ExpressionError> {
-        self.depth += 1;
-        if self.depth > MOST_DEPTH {
-            return Err(self.error_here("this is nested too deeply"));
-        }
+        self.descend()?;
         let mut left = self.and()?;
         while self.take_word("or") {
             left = binary(Operator::Or, left, self.and()?);
@@ -115,9 +112,17 @@ impl Parser {
     fn power(&mut self) -> Result<Node, ExpressionError> {
         let base = self.postfix()?;
         if self.take_sign("^") {
-            return Ok(binary(Operator::Power, base, self.minus()?));
+            self.descend()?;
+            let power = binary(Operator::Power, base, self.minus()?);
+            self.depth -= 1;
+            return Ok(power);
         }
         Ok(base)
+    }
+
+    fn descend(&mut self) -> Result<(), ExpressionError> {
+        self.depth += 1;
+        if self.depth > MOST_DEPTH { Err(self.error_here("this is nested too deeply")) } else { Ok(()) }
     }
 
     fn postfix(&mut self) -> Result<Node, ExpressionError> {

@@ -103,9 +103,7 @@ impl Value {
     pub fn is_near(&self, other: &Self, within: f64) -> bool {
         match (self, other) {
             (Self::Number(a), Self::Number(b)) => a == b || (a - b).abs() <= within,
-            (Self::List(a), Self::List(b)) => {
-                a.len() == b.len() && a.iter().zip(b).all(|(a, b)| a.is_near(b, within))
-            }
+            (Self::List(a), Self::List(b)) => a.len() == b.len() && a.iter().zip(b).all(|(a, b)| a.is_near(b, within)),
             _ => self == other,
         }
     }

@@ -78,8 +78,7 @@ impl Posed {
     #[must_use]
     pub fn judge_click(&self, click: [f64; 2], project: impl Fn(&Spot) -> Option<[f64; 2]>) -> Verdict {
         let Form::Place(_, reckoned) = &self.form else { return Verdict::wrong(None) };
-        let distance =
-            |spot: &Spot| project(spot).map_or(f64::INFINITY, |[x, y]| (x - click[0]).hypot(y - click[1]));
+        let distance = |spot: &Spot| project(spot).map_or(f64::INFINITY, |[x, y]| (x - click[0]).hypot(y - click[1]));
         self.reckoned(reckoned, distance)
     }
 

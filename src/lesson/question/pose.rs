@@ -182,7 +182,10 @@ impl Poser<'_> {
             [x, y, z] => Some(Spot::World([*x, *y, *z])),
             [x, y] => Some(Spot::Pixel([*x, *y])),
             _ => {
-                let message = format!("`{}` is no place: a point in space or a column and a row are needed", expression.value.text());
+                let message = format!(
+                    "`{}` is no place: a point in space or a column and a row are needed",
+                    expression.value.text()
+                );
                 self.add(expression.place, message);
                 None
             }
@@ -197,7 +200,10 @@ impl Poser<'_> {
         };
         let list = value.items().and_then(|items| items.iter().map(stretch).collect());
         if list.is_none() {
-            let message = format!("`{}` is no interval list: write `spans(…)` around recorded intervals", expression.value.text());
+            let message = format!(
+                "`{}` is no interval list: write `spans(…)` around recorded intervals",
+                expression.value.text()
+            );
             self.add(expression.place, message);
         }
         list

@@ -69,7 +69,8 @@ impl Site<'_, '_> {
     }
 
     fn variant(&mut self, file: &VariantFile, step: &Aim) -> Aim {
-        let keys = Keys { scene: None, change: file.change.as_deref(), pixel: file.pixel, ray: file.ray, accuracy: None };
+        let keys =
+            Keys { scene: None, change: file.change.as_deref(), pixel: file.pixel, ray: file.ray, accuracy: None };
         self.aim(&keys, step)
     }
 
@@ -113,7 +114,9 @@ impl Site<'_, '_> {
     }
 
     fn change(&mut self, file: &ChangeFile) -> Option<Change> {
-        let Some(at) = document::Place::read(file.at.get_ref()) else {
+        // A JSON pointer would be read as the name of one field.
+        let place = document::Place::read(file.at.get_ref()).filter(|_| !file.at.get_ref().contains('/'));
+        let Some(at) = place else {
             let message = format!(
                 "`{}` is no place in a scene: write one such as `camera.eye` or `objects[0].transform[1].translate`",
                 file.at.get_ref()

@@ -36,7 +36,8 @@ impl Reader<'_, '_> {
     fn lesson(&mut self, id: &str, file: &str) -> Option<Lesson> {
         let (header, body) = self.header()?;
         let all = parts(&self.text[body..], body, self.findings);
-        let mut lesson = Lesson { id: id.to_owned(), file: file.to_owned(), header, opening: Vec::new(), steps: Vec::new() };
+        let mut lesson =
+            Lesson { id: id.to_owned(), file: file.to_owned(), header, opening: Vec::new(), steps: Vec::new() };
         let mut title: Option<(String, usize)> = None;
         for part in all {
             match part {
@@ -46,7 +47,9 @@ impl Reader<'_, '_> {
                 }
                 markdown::Part::Fenced { word, range, offset } if word == "step" => match title.take() {
                     Some((words, _)) => self.step(&mut lesson, words, range, offset),
-                    None => self.findings.add(offset, "a `step` block stands directly below the heading of its step, once"),
+                    None => {
+                        self.findings.add(offset, "a `step` block stands directly below the heading of its step, once")
+                    }
                 },
                 markdown::Part::Fenced { word, range, offset } => {
                     self.begin(&mut lesson, title.take());
@@ -92,7 +95,9 @@ impl Reader<'_, '_> {
     fn put(&mut self, lesson: &mut Lesson, part: Option<Part>, offset: usize) {
         match (part, lesson.steps.last_mut()) {
             (Some(part), Some(Step { parts, .. })) => parts.push(part),
-            (Some(_), None) => self.findings.add(offset, "this block belongs into a step: put it below a `## ` heading"),
+            (Some(_), None) => {
+                self.findings.add(offset, "this block belongs into a step: put it below a `## ` heading")
+            }
             (None, _) => {}
         }
     }
@@ -117,7 +122,8 @@ impl Reader<'_, '_> {
                 site.question(&file).map(|question| Part::Question(Box::new(question)))
             }
             _ => {
-                let message = format!("`{word}` is no block: there are `step`, `claim`, `slip`, `table` and `question`");
+                let message =
+                    format!("`{word}` is no block: there are `step`, `claim`, `slip`, `table` and `question`");
                 self.findings.add(offset, message);
                 None
             }
@@ -132,7 +138,9 @@ impl Reader<'_, '_> {
             if !claim.is_empty() && !claim.starts_with('#') {
                 match Expression::parse(claim) {
                     Ok(expression) => claims.push(Sited::new(expression, self.findings.place(offset))),
-                    Err(error) => self.findings.add(offset + error.range.start, format!("`{claim}`: {}", error.message)),
+                    Err(error) => {
+                        self.findings.add(offset + error.range.start, format!("`{claim}`: {}", error.message))
+                    }
                 }
             }
             offset += line.len();

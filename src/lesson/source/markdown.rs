@@ -165,7 +165,12 @@ impl<'r, 'f> Reader<'r, 'f> {
             match event {
                 Event::End(TagEnd::Item) => break,
                 Event::Start(
-                    Tag::Paragraph | Tag::List(_) | Tag::BlockQuote(_) | Tag::CodeBlock(_) | Tag::Table(_) | Tag::Heading { .. },
+                    Tag::Paragraph
+                    | Tag::List(_)
+                    | Tag::BlockQuote(_)
+                    | Tag::CodeBlock(_)
+                    | Tag::Table(_)
+                    | Tag::Heading { .. },
                 ) => {
                     if !line.is_empty() {
                         blocks.push(Block::Paragraph(std::mem::take(&mut line)));
@@ -229,9 +234,8 @@ impl<'r, 'f> Reader<'r, 'f> {
                 match target(&dest_url) {
                     Some(target) if link_type == LinkType::Inline => line.push(Inline::Link(target, words)),
                     _ => {
-                        let message = format!(
-                            "`{dest_url}` leads nowhere: links begin with `term:`, `lesson:` or `source:`"
-                        );
+                        let message =
+                            format!("`{dest_url}` leads nowhere: links begin with `term:`, `lesson:` or `source:`");
                         self.findings.add(self.base + range.start, message);
                         line.extend(words);
                     }
@@ -247,7 +251,9 @@ impl<'r, 'f> Reader<'r, 'f> {
     /// Words and values, joined to the words before them.
     fn text(&mut self, text: &str, offset: usize, line: &mut Line<Reference>) {
         if let Some((at, number)) = typed_numbers::in_text(&lettered(text)) {
-            let message = format!("`{number}` is a typed number: say where it comes from, as in {{{{hit.t}}}}, or write it in words");
+            let message = format!(
+                "`{number}` is a typed number: say where it comes from, as in {{{{hit.t}}}}, or write it in words"
+            );
             self.findings.add(self.base + offset + at.min(text.len()), message);
         }
         for piece in Masked::pieces(text) {

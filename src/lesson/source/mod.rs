@@ -6,7 +6,9 @@ mod lesson;
 mod markdown;
 mod questions;
 mod references;
+mod schema;
 mod typed_numbers;
 
 pub use lesson::read;
 pub(in crate::lesson) use markdown::read_prose;
+pub use schema::lesson_schema;

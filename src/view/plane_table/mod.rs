@@ -6,11 +6,11 @@ mod tests;
 
 use super::drawing::{Anchor, Drawing, Form, Frame};
 use super::events_of::Story;
-use super::fonts::Face;
+use super::fonts::{Face, text_width};
 use super::labels::shortened;
 use super::palette::Theme;
 use super::sheet::{SMALL, Sheet, TEXT};
-use super::text::brief;
+use super::text::{brief, significant};
 use crate::record::{EventId, PlaneRow, PlaneSense, What, format_number};
 use crate::trace::RayTree;
 use std::fmt::Write as _;
@@ -70,6 +70,9 @@ struct Table<'t> {
     stopped: Option<&'t str>,
 }
 
+/// How much narrower columns are where there is little room for the slabs beside them.
+const TIGHT: f64 = 0.8;
+
 /// The heights of rows, in points.
 const PITCH: [f64; 2] = [13.0, 44.0];
 
@@ -121,13 +124,21 @@ impl Table<'_> {
         text
     }
 
+    /// Whether every number can be written in full in columns so much narrower.
+    fn fits(&self, columns: &[Column], tight: f64) -> bool {
+        let fits =
+            |column: &Column, row| text_width(&column.text(row), TEXT, Face::Sans) <= tight * column.width() - 4.0;
+        let numbers = columns.iter().filter(|column| column.anchor() == Anchor::End);
+        numbers.clone().all(|column| self.rows.iter().all(|row| fits(column, row)))
+    }
+
     fn draw(&self, sheet: &mut Sheet, room: Frame) -> Vec<Frame> {
         let [width, height] = room.size();
         if width < 90.0 || height < 5.0 * PITCH[0] {
             return Vec::new();
         }
         let columns = Column::that_fit(width);
-        let tight = if width < 380.0 { 0.8 } else { 1.0 };
+        let tight = if width < 380.0 && self.fits(&columns, TIGHT) { TIGHT } else { 1.0 };
         let wide = |column: &Column| tight * column.width();
         let used: f64 = columns.iter().map(wide).sum();
         // One line more for the heading and one for what is left of the ray, with room for the axis.
@@ -176,7 +187,7 @@ fn draw_row(sheet: &mut Sheet, (columns, tight): (&[Column], f64), frame: Frame,
     let mut x = frame.low[0];
     for column in columns {
         let width = tight * column.width();
-        let text = shortened(&column.text(row), width - 4.0, TEXT, Face::Sans);
+        let text = column.text_within(row, width - 4.0);
         let ink = sheet.palette.ink;
         sheet.write(&text, column.place(x, middle, width), column.anchor(), TEXT, ink);
         x += width;
@@ -258,10 +269,26 @@ impl Column {
     }
 
     fn text(self, row: &PlaneRow) -> String {
+        self.text_of(row, 4)
+    }
+
+    /// With so many digits that it is no wider; a number without its power of ten would be another one.
+    fn text_within(self, row: &PlaneRow, width: f64) -> String {
+        let mut texts = (1..=4).rev().map(|digits| self.text_of(row, digits));
+        let fitting = texts.find(|text| text_width(text, TEXT, Face::Sans) <= width);
+        fitting.unwrap_or_else(|| match self {
+            Self::Plane | Self::Sense => shortened(&self.text(row), width, TEXT, Face::Sans),
+            _ => self.text_of(row, 1),
+        })
+    }
+
+    fn text_of(self, row: &PlaneRow, digits: i32) -> String {
+        let number = |x: f64| significant(x, digits);
+        let open = |t: Option<f64>, none: &str| t.map_or(none.to_owned(), number);
         match self {
             Self::Plane => row.name.clone(),
-            Self::Numerator => brief(row.numerator),
-            Self::Denominator => brief(row.denominator),
+            Self::Numerator => number(row.numerator),
+            Self::Denominator => number(row.denominator),
             Self::Time => open(row.t, "none"),
             Self::Sense => sense(row.sense).to_owned(),
             Self::In => open(row.t_in, "−∞"),

@@ -69,7 +69,16 @@ fn looks_are_told_apart_without_colours() {
 #[test]
 fn nothing_covers_anything_at_any_size() {
     let tree = every_kind();
-    for size in [[300.0, 200.0], [420.0, 300.0], [560.0, 360.0], [900.0, 600.0], [386.0, 150.0], [700.0, 130.0], [120.0, 500.0], [20.0, 20.0]] {
+    for size in [
+        [300.0, 200.0],
+        [420.0, 300.0],
+        [560.0, 360.0],
+        [900.0, 600.0],
+        [386.0, 150.0],
+        [700.0, 130.0],
+        [120.0, 500.0],
+        [20.0, 20.0],
+    ] {
         let drawing = shading_bars(&tree, colour_event(&tree), size, Theme::Light).unwrap();
         assert_readable(&drawing, &format!("{size:?}"));
     }

@@ -106,7 +106,9 @@ impl Sheet {
         }
         let wanted =
             facts.iter().map(|fact| fact.indent() + text_width(fact.text(), TEXT, Face::Sans)).fold(0.0, f64::max);
-        let width = wanted.min(0.4 * room.size()[0]);
+        // As wide as is wanted, if that leaves enough beside it, up to a half.
+        let most = (0.4 * room.size()[0]).max((room.size()[0] - NARROWEST[1] - 16.0).min(0.5 * room.size()[0]));
+        let width = wanted.min(most);
         if width < NARROWEST[0].min(wanted) || room.size()[0] - width < NARROWEST[1] {
             return (room, None);
         }

@@ -16,6 +16,8 @@ use crate::scene::Scene;
 use crate::trace::RayTree;
 pub use probe::{ProbedSigns, SignPlotLayout, SignProbe};
 
+/// A curve that is no higher than this has no room: the caption stands alone.
+const LEAST: f64 = 6.0;
 /// Sizes in points.
 const TEXT: f64 = 11.5;
 const SMALL: f64 = 10.5;
@@ -77,14 +79,18 @@ fn drawn(
         probe: probe.and_then(|(scene, t)| SignProbe::of(scene, tree, event, t.clamp(*first, *last))),
     };
     plot.caption(equation);
-    plot.grid();
-    plot.extent(probe::extent_of(tree, event));
-    plot.curve(&with_roots(&samples, roots));
-    plot.strip(signs);
-    plot.probe();
-    plot.roots(roots);
-    plot.start();
-    plot.values();
+    if bottom - top > LEAST {
+        let extent = probe::extent_of(tree, event);
+        plot.grid();
+        plot.extent(extent);
+        plot.curve(&with_roots(&samples, roots));
+        plot.strip(signs);
+        plot.probe();
+        plot.roots(roots);
+        plot.start();
+        plot.extent_name(extent);
+        plot.values();
+    }
     plot.drawing.description = plot.description(equation, roots, signs);
     Some(plot)
 }
@@ -252,6 +258,7 @@ impl Plot {
     fn strip(&mut self, signs: &[SignSpan]) {
         let [left, right] = self.t.points;
         let top = self.d.points[0] + 5.0;
+        self.placer.avoid_line([left, top + STRIP / 2.0], [right, top + STRIP / 2.0]);
         for span in signs {
             let end = |t: Option<f64>, open: f64| t.map_or(open, |t| self.t.at(t).clamp(left, right));
             let (from, to) = (end(span.from, left), end(span.to, right));

@@ -4,7 +4,7 @@ use super::{MARGIN, Plot, SMALL, STRIP, TEXT};
 use crate::record::{EventId, Sign, SignSpan, Triple, What, format_number};
 use crate::scene::Scene;
 use crate::trace::RayTree;
-use crate::view::drawing::{Anchor, Drawing, Form, Frame, Stroke};
+use crate::view::drawing::{Anchor, Drawing, Form, Frame, Stroke, Text};
 use crate::view::fonts::Face;
 use crate::view::labels::{Label, shortened};
 use crate::view::primitive_at::PrimitiveAt;
@@ -134,9 +134,22 @@ impl Plot {
                 self.placer.avoid_line([x, top], [x, bottom]);
             }
         }
+    }
+
+    /// The name of what is between the brackets, where nothing else is.
+    pub(super) fn extent_name(&mut self, inside: Option<[f64; 2]>) {
+        let Some([near, far]) = inside.filter(|[near, far]| self.t.shows(*near) || self.t.shows(*far)) else { return };
+        let [left, right] = self.t.points;
+        let [from, to] = [near, far].map(|t| self.t.at(t).clamp(left, right));
+        let [bottom, top] = self.d.points;
         let label = Label::new("extent", SMALL, self.palette.faint);
-        let text = label.at([from + 4.0, bottom - 8.0], Anchor::Start, Some(self.palette.ground));
-        if text.frame().high[0] < to {
+        let heights = [bottom - 8.0, top + 8.0];
+        let places = heights.map(|y| ([from + 4.0, y], Anchor::Start)).into_iter();
+        let places = places.chain(heights.map(|y| ([to - 4.0, y], Anchor::End)));
+        let texts = places.map(|(at, anchor)| label.at(at, anchor, Some(self.palette.ground)));
+        let within = |text: &Text| text.frame().low[0] > from && text.frame().high[0] < to;
+        let found = texts.filter(within).find(|text| self.placer.is_clear(&text.frame()));
+        if let Some(text) = found {
             self.placer.put_at(&mut self.drawing, text, None);
         }
     }

@@ -13,6 +13,9 @@ use std::f64::consts::FRAC_PI_2;
 /// Room for names at the ends of rays, in points.
 const RIM: f64 = 20.0;
 
+/// Between rays that are shorter there is no room for numbers, in points.
+const ROOMY: f64 = 100.0;
+
 pub(super) fn draw(sheet: &mut Sheet, room: &Frame, interface: &Interface) {
     let [width, height] = room.size();
     let radius = (0.5 * width).min(0.5 * height) - RIM;
@@ -113,14 +116,17 @@ impl Fan {
         let colour = sheet.palette.normal;
         let up = -FRAC_PI_2;
         let theta1 = interface.theta1.to_radians();
+        // The caption has the numbers too.
+        let named = |name: &str, angle: f64| {
+            if self.radius < ROOMY { name.to_owned() } else { format!("{name} = {}", degrees(angle)) }
+        };
         let arcs = [
-            (0.34, [up, up - theta1], Some(format!("θ₁ = {}", degrees(interface.theta1)))),
+            (0.34, [up, up - theta1], Some(named("θ₁", interface.theta1))),
             (0.34, [up, up + theta1], Some("θ₁".to_owned())),
         ];
-        let second = interface.theta2.map(|theta2| {
-            let text = format!("θ₂ = {}", degrees(theta2));
-            (0.4, [FRAC_PI_2, FRAC_PI_2 - theta2.to_radians()], Some(text))
-        });
+        let second = interface
+            .theta2
+            .map(|theta2| (0.4, [FRAC_PI_2, FRAC_PI_2 - theta2.to_radians()], Some(named("θ₂", theta2))));
         for (share, angles, text) in arcs.into_iter().chain(second) {
             let radius = share * self.radius;
             let stroke = Stroke::solid(colour, 1.6);

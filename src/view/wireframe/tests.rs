@@ -55,7 +55,9 @@ fn lines_within_another_part_are_cut_off() {
 #[test]
 fn nothing_is_shown_of_a_solid_without_itself_and_of_two_equal_ones_together_all_of_one() {
     let alone = solid_lines(0, &ball(0.0), 1_000).iter().map(|line| line.points.len()).sum::<usize>();
-    for (operator, count) in [(Operator::Difference, 0), (Operator::Union, 2 * alone), (Operator::Intersection, 2 * alone)] {
+    for (operator, count) in
+        [(Operator::Difference, 0), (Operator::Union, 2 * alone), (Operator::Intersection, 2 * alone)]
+    {
         let lines = solid_lines(0, &Solid::pair("both", operator, ball(0.0), ball(0.0)), 1_000);
         assert_eq!(points(&lines, false).len(), count, "{operator:?}");
     }
