@@ -60,7 +60,9 @@ impl OpenLesson {
 
     /// Goes to a step; it is shown as soon as it is set up.
     pub fn go_to(&mut self, ctx: &Context, school: &School, step: usize) {
-        self.steps = school.lessons.course.lesson(&self.id).map_or(0, |lesson| lesson.steps.len());
+        // While its file is broken, the lesson is shown as it was.
+        let Some(lesson) = school.lessons.course.lesson(&self.id) else { return };
+        self.steps = lesson.steps.len();
         self.step = step.min(self.steps.saturating_sub(1));
         self.judging = None;
         self.judged = None;
