@@ -15,7 +15,7 @@ use crate::scene::{Effects, Profile, embedded_scene};
 use crate::share::link::{Accuracy, Aim, EventPlace, Link};
 use crate::story::Level;
 use crate::trace::record_ray;
-use crate::view::{Theme, View};
+use crate::view::View;
 use crate::words::Language;
 use egui::{Context, ThemePreference};
 use std::path::Path;
@@ -119,9 +119,9 @@ impl Workbench {
             self.drawings.turn_to(orbit);
         }
         if let Some(theme) = link.theme {
-            let is_dark = matches!(theme, Theme::Dark | Theme::DarkContrast);
+            let is_dark = theme.is_dark();
             ctx.set_theme(if is_dark { ThemePreference::Dark } else { ThemePreference::Light });
-            self.settings.is_high_contrast = matches!(theme, Theme::LightContrast | Theme::DarkContrast);
+            self.settings.is_high_contrast = theme.is_high_contrast();
         }
     }
 
