@@ -84,6 +84,13 @@ const LAYERS: &[(&str, &[&str])] = &[
             "story", "document",
         ],
     ),
+    (
+        "book",
+        &[
+            "record", "math", "shape", "csg", "optics", "texture", "sample", "scene", "trace", "view", "query",
+            "story", "share", "lesson",
+        ],
+    ),
     ("words", &[]),
     ("peer", &["record", "shape", "csg", "sample", "scene"]),
     (
@@ -95,6 +102,7 @@ const LAYERS: &[(&str, &[&str])] = &[
             "story",
             "share",
             "lesson",
+            "book",
             "words",
             "record",
             "math",

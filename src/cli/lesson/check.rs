@@ -3,7 +3,7 @@
 use crate::cli::failure::Failure;
 use crate::cli::output::Output;
 use crate::cli::progress::{stopped_by_ctrl_c, with_bar};
-use crate::lesson::{Scenes, check_course, check_lesson};
+use crate::lesson::{Checked, Finding, Scenes, check_course, check_lesson};
 use crate::lesson_folder::Lessons;
 use clap::Args;
 use std::fmt::Write;
