@@ -10,6 +10,7 @@
 pub mod accuracy;
 #[cfg(feature = "workbench")]
 pub mod app;
+pub mod book;
 pub mod cli;
 pub mod compare;
 pub mod cpu_time;

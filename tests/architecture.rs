@@ -84,6 +84,13 @@ const LAYERS: &[(&str, &[&str])] = &[
             "story", "document",
         ],
     ),
+    (
+        "book",
+        &[
+            "record", "math", "shape", "csg", "optics", "texture", "sample", "scene", "trace", "view", "query",
+            "story", "share", "lesson",
+        ],
+    ),
     ("words", &[]),
     ("peer", &["record", "shape", "csg", "sample", "scene"]),
     (
@@ -95,6 +102,7 @@ const LAYERS: &[(&str, &[&str])] = &[
             "story",
             "share",
             "lesson",
+            "book",
             "words",
             "record",
             "math",
@@ -166,6 +174,7 @@ const CRATES: &[(&[&str], &[&str])] = &[
     (&["pdf_writer", "subsetter"], &["src/view/pdf.rs", "src/view/pdf/"]),
     (&["egui", "egui_tiles", "eframe", "winit", "rfd"], &["src/app/"]),
     (&["tiny_skia"], &["src/view/paint.rs"]),
+    (&["ratex_parser", "ratex_layout", "ratex_types", "ratex_font"], &["src/view/formula/"]),
     (&["image_compare"], &["src/laboratory/errors.rs"]),
     (&["clap", "ctrlc", "indicatif"], &["src/cli/"]),
 ];

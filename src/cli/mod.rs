@@ -3,6 +3,7 @@
 mod accuracy;
 mod accuracy_ray;
 mod bench;
+mod book;
 mod compare;
 mod compare_json;
 mod drawn;
@@ -43,6 +44,7 @@ Examples:
   rayscope map optics/fishbowl --of rays -o rays.png    show how many rays each pixel sends
   rayscope compare mine.jsonl csg/bowl          say where your own ray tracer departs from this one
   rayscope lesson list                          the lessons of the course
+  rayscope book -o book                         write the course as a site to read
   rayscope effects optics/fishbowl              say what each effect of a scene costs
   rayscope accuracy lights/soft_shadows         say what accuracy costs in time
   rayscope scan textures/scanning               texture scanning beside inverse scanning
@@ -75,6 +77,7 @@ enum Command {
     Trace(trace::Trace),
     Find(find::Find),
     Lesson(lesson::Lesson),
+    Book(book::Book),
     Map(map::Map),
     Scan(scan::Scan),
     Effects(effects::Effects),
@@ -102,6 +105,7 @@ pub fn run() -> ExitCode {
         Some(Command::Trace(trace)) => trace.run(),
         Some(Command::Find(find)) => find.run(),
         Some(Command::Lesson(lesson)) => lesson.run(),
+        Some(Command::Book(book)) => book.run(),
         Some(Command::Map(map)) => map.run(),
         Some(Command::Scan(scan)) => scan.run(),
         Some(Command::Effects(effects)) => effects.run(),

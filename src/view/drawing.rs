@@ -3,6 +3,7 @@
 //! Coordinates are points, x to the right and y down, from the top left corner.
 
 use super::fonts::{Face, text_width};
+use super::outline::Pen;
 use super::palette::Colour;
 use crate::record::EventId;
 use std::borrow::Cow;
@@ -201,6 +202,13 @@ pub enum Form {
     },
     /// A line of text.
     Text(Text),
+    /// An area with curved edges, filled wherever the pen goes round (non-zero winding).
+    Outline {
+        /// The way round it.
+        steps: Vec<Pen>,
+        /// The colour of the area.
+        fill: Colour,
+    },
 }
 
 /// A mark and the event that it stands for.

@@ -1,6 +1,7 @@
 //! Which event a place of a drawing belongs to.
 
 use super::drawing::{Drawing, Form, Spot, length};
+use super::outline::frame_of;
 use crate::record::EventId;
 
 impl Drawing {
@@ -53,6 +54,13 @@ impl Form {
             Self::Text(text) => {
                 if text.frame().contains(at) {
                     0.0
+                } else {
+                    f64::INFINITY
+                }
+            }
+            Self::Outline { steps, .. } => {
+                if frame_of(steps).is_some_and(|frame| frame.contains(at)) {
+                    AREA_DISTANCE
                 } else {
                     f64::INFINITY
                 }

@@ -99,6 +99,9 @@ fn moved(form: &Form, by: Spot) -> Form {
             Form::Rect { frame, fill: *fill, stroke: *stroke }
         }
         Form::Text(text) => Form::Text(Text { at: spot(&text.at), ..text.clone() }),
+        Form::Outline { steps, fill } => {
+            Form::Outline { steps: steps.iter().map(|step| step.moved(|at| spot(&at))).collect(), fill: *fill }
+        }
     }
 }
 

@@ -46,6 +46,10 @@ impl Form {
                 let face = ["", " bold", " mono"][*face as usize];
                 format!("text {} {anchor} {}{face} {} “{text}”", spot(*at), tenth(*size), hex(*colour))
             }
+            Self::Outline { steps, fill } => {
+                let points: Vec<Spot> = steps.iter().flat_map(|step| step.spots()).collect();
+                format!("outline {} fill {}", path(&points), hex(*fill))
+            }
         }
     }
 }

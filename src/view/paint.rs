@@ -2,6 +2,7 @@
 
 use super::drawing::{Anchor, Drawing, Form, Frame, HALO, Spot, Stroke, Text};
 use super::fonts::glyphs;
+use super::outline::Pen;
 use super::palette::Colour;
 use ab_glyph::OutlineCurve;
 use tiny_skia::{
@@ -52,6 +53,20 @@ fn painted(drawing: &Drawing, pixels_per_point: f32) -> Option<Pixmap> {
     Some(painter.pixmap)
 }
 
+/// Outlines of one colour on a clear ground, and the whole rows above a height; the colours multiplied with alpha. No formula has
+/// 2¹⁵ rows or columns.
+pub(super) fn stamped(size: [f64; 2], above: f64, outlines: &[Vec<Pen>], colour: Colour) -> (Pixels, u32) {
+    let [width, height] = size.map(|x| whole(x, 32_768));
+    let Some(pixmap) = Pixmap::new(width, height) else {
+        return (Pixels { width: 0, height: 0, rgba: Vec::new() }, 0);
+    };
+    let mut painter = Painter { pixmap, transform: Transform::identity() };
+    for steps in outlines {
+        painter.outline(steps, colour);
+    }
+    (Pixels { width, height, rgba: painter.pixmap.take() }, whole(above, height))
+}
+
 struct Painter {
     pixmap: Pixmap,
     transform: Transform,
@@ -80,7 +95,13 @@ impl Painter {
                 self.stroke_if(polyline(&corners(frame), true), *stroke);
             }
             Form::Text(text) => self.text(text),
+            Form::Outline { steps, fill } => self.outline(steps, *fill),
         }
+    }
+
+    fn outline(&mut self, steps: &[Pen], fill: Colour) {
+        let Some(path) = pen_path(steps) else { return };
+        self.pixmap.fill_path(&path, &paint_of(fill), FillRule::Winding, self.transform, None);
     }
 
     fn fill_if(&mut self, path: Option<Path>, colour: Option<Colour>) {
@@ -249,6 +270,26 @@ fn add_outline(path: &mut PathBuilder, curves: &[OutlineCurve], place: impl Fn(a
     if pen.is_some() {
         path.close();
     }
+}
+
+fn pen_path(steps: &[Pen]) -> Option<Path> {
+    let mut path = PathBuilder::new();
+    for step in steps {
+        match *step {
+            Pen::Move([x, y]) => path.move_to(narrow(x), narrow(y)),
+            Pen::Line([x, y]) => path.line_to(narrow(x), narrow(y)),
+            Pen::Quad(c, end) => {
+                let ([cx, cy], [x, y]) = (c.map(narrow), end.map(narrow));
+                path.quad_to(cx, cy, x, y);
+            }
+            Pen::Cubic(c, d, end) => {
+                let ([cx, cy], [dx, dy], [x, y]) = (c.map(narrow), d.map(narrow), end.map(narrow));
+                path.cubic_to(cx, cy, dx, dy, x, y);
+            }
+            Pen::Close => path.close(),
+        }
+    }
+    path.finish()
 }
 
 #[cfg(test)]

@@ -1,6 +1,7 @@
 //! What every drawing has to keep, for tests.
 
 use super::drawing::{Drawing, Form, Frame, Spot, Text};
+use super::outline::frame_of;
 use super::sheet::bounds;
 
 /// The box of a mark.
@@ -16,6 +17,7 @@ pub fn extent(form: &Form) -> Frame {
         Form::Arrow { from, to, .. } => around(&[*from, *to]),
         Form::Rect { frame, .. } => *frame,
         Form::Text(text) => text.frame(),
+        Form::Outline { steps, .. } => frame_of(steps).expect("a mark has a place"),
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::drawing::{Anchor, Drawing, Form, Frame, HALO, Spot, Stroke, Text};
 use super::fonts::Face;
+use super::outline::Pen;
 use super::paint::arrow_head;
 use super::palette::Colour;
 use std::fmt::Write as _;
@@ -52,6 +53,9 @@ fn element(out: &mut String, form: &Form) {
         Form::Text(text) => {
             out.push_str(&text_element(text));
             Ok(())
+        }
+        Form::Outline { steps, fill } => {
+            write!(out, "<path d=\"{}\"{}/>", outline(steps, number), paint("fill", *fill))
         }
     };
 }
@@ -138,6 +142,22 @@ fn path(points: &[Spot], close: bool) -> String {
     }
     if close {
         out.push('Z');
+    }
+    out
+}
+
+/// The way of a pen as path data, its numbers written in the given way.
+pub(super) fn outline(steps: &[Pen], number: impl Fn(f64) -> String) -> String {
+    let spot = |[x, y]: &Spot| format!("{} {}", number(*x), number(*y));
+    let mut out = String::new();
+    for step in steps {
+        let _ = match step {
+            Pen::Move(end) => write!(out, "M{}", spot(end)),
+            Pen::Line(end) => write!(out, "L{}", spot(end)),
+            Pen::Quad(control, end) => write!(out, "Q{} {}", spot(control), spot(end)),
+            Pen::Cubic(one, other, end) => write!(out, "C{} {} {}", spot(one), spot(other), spot(end)),
+            Pen::Close => write!(out, "Z"),
+        };
     }
     out
 }

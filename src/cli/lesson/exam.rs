@@ -1,6 +1,6 @@
 //! `rayscope lesson exam`: questions on paper, and the teacher's sheet.
 
-use super::written::{Answers, question_text};
+use super::written::{Answers, prose_text, question_text, table_text};
 use crate::cli::failure::Failure;
 use crate::cli::output::Output;
 use crate::lesson::{Before, Exam as Drawn, Scenes};

@@ -6,6 +6,7 @@
 use super::embedded::FontSet;
 use crate::view::drawing::{Anchor, Drawing, Form, Frame, HALO, Spot, Stroke, Text};
 use crate::view::fonts::placed;
+use crate::view::outline::Pen;
 use crate::view::paint::arrow_head;
 use crate::view::palette::Colour;
 use pdf_writer::types::{LineCapStyle, LineJoinStyle, TextRenderingMode};
@@ -92,7 +93,40 @@ impl Page<'_> {
             }
             Form::Rect { frame, fill, stroke } => self.painted(*fill, *stroke, |page| page.rectangle(frame)),
             Form::Text(text) => self.text(text),
+            Form::Outline { steps, fill } => self.outline(steps, *fill),
         }
+    }
+
+    /// PDF has cubic curves alone: a parabola is one whose control points lie two thirds of the way to its own.
+    fn outline(&mut self, steps: &[Pen], fill: Colour) {
+        let mut pen = [0.0; 2];
+        for step in steps {
+            match *step {
+                Pen::Move(end) => {
+                    self.content.move_to(narrow(end[0]), narrow(end[1]));
+                }
+                Pen::Line(end) => {
+                    self.content.line_to(narrow(end[0]), narrow(end[1]));
+                }
+                Pen::Quad(control, end) => {
+                    let towards = |from: Spot| std::array::from_fn(|i| from[i] + (control[i] - from[i]) * 2.0 / 3.0);
+                    self.curve(towards(pen), towards(end), end);
+                }
+                Pen::Cubic(one, other, end) => self.curve(one, other, end),
+                Pen::Close => {
+                    self.content.close_path();
+                }
+            }
+            pen = step.spots().last().unwrap_or(pen);
+        }
+        self.set_alpha(fill.a);
+        let [r, g, b] = channels(fill);
+        self.content.set_fill_rgb(r, g, b).fill_nonzero();
+    }
+
+    fn curve(&mut self, one: Spot, other: Spot, end: Spot) {
+        let [[x1, y1], [x2, y2], [x, y]] = [one, other, end].map(|spot| spot.map(narrow));
+        self.content.cubic_to(x1, y1, x2, y2, x, y);
     }
 
     /// The same path filled and then stroked, as far as either is asked for.
