@@ -147,8 +147,6 @@ impl Workbench {
                 let scene = Arc::clone(&open.scene);
                 let pixel = self.recording.as_ref().map_or([0, 0], |recording| recording.pixel);
                 let tree = Arc::new(record_ray(&scene, origin, direction));
-                // The scene's own pixel would take the ray's place.
-                self.stepping.forget_recording();
                 self.show_elsewhere(Recording::of_tree(scene, pixel, tree, None));
             }
             None => {}

@@ -60,11 +60,6 @@ impl Recorder {
         (self.running, self.next) = (None, None);
     }
 
-    /// Forgets what is being recorded: something else is shown.
-    pub fn forget(&mut self) {
-        (self.running, self.next) = (None, None);
-    }
-
     /// Whether something is being recorded.
     #[must_use]
     pub fn is_busy(&self) -> bool {

@@ -96,11 +96,6 @@ impl Stepping {
         self.recorder.is_busy()
     }
 
-    /// Forgets the pixel that is being recorded: something else is shown.
-    pub(in crate::app) fn forget_recording(&mut self) {
-        self.recorder.forget();
-    }
-
     /// How many pixels the search for a stop has gone through; none if there is no such search.
     pub(super) fn pixels_searched(&self) -> Option<usize> {
         self.until.as_ref().map(Background::done)
