@@ -23,6 +23,10 @@ const HEIGHTS: [f32; 3] = [1.27, 1.0, 1.8];
 
 /// The least heights in which they can be read, in points: lower, they are scrolled.
 const LEAST: [f32; 3] = [138.0, 100.0, 165.0];
+/// In a narrower panel the bars' caption needs two lines, in points.
+const NARROW: f32 = 420.0;
+/// Height of a line of a caption, in points.
+const LINE: f32 = 18.0;
 
 /// What there is to plot of an event.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -91,7 +95,7 @@ impl PlotsPanel {
             return None;
         };
         let whole = ui.available_rect_before_wrap();
-        let least = least(self.present);
+        let least = least(self.present, whole.width() < NARROW);
         if whole.height() >= least {
             let clicked = self.plots(ui, recording, whole);
             if self.present == [false; 3] {
@@ -143,10 +147,11 @@ fn rows(whole: Rect, present: [bool; 3]) -> [Rect; 3] {
 }
 
 /// The least height of what is present, so that each plot has its own.
-fn least(present: [bool; 3]) -> f32 {
+fn least(present: [bool; 3], is_narrow: bool) -> f32 {
     let plots = (0..3).filter(|i| present[*i]);
     let parts: f32 = plots.clone().map(|i| HEIGHTS[i]).sum();
-    parts * plots.map(|i| LEAST[i] / HEIGHTS[i]).fold(0.0, f32::max)
+    let more = if is_narrow { [LINE, 0.0, 0.0] } else { [0.0; 3] };
+    parts * plots.map(|i| (LEAST[i] + more[i]) / HEIGHTS[i]).fold(0.0, f32::max)
 }
 
 /// What became of a plot.

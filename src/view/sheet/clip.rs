@@ -8,6 +8,10 @@ pub(in crate::view) fn clipped_line(within: &Frame, points: &[Spot]) -> Vec<Vec<
     let mut pieces: Vec<Vec<Spot>> = Vec::new();
     for ends in points.windows(2) {
         let Some([from, to]) = finite(ends).and_then(|()| clip(within, [ends[0], ends[1]])) else { continue };
+        // Of places far out rounding leaves nothing.
+        if ![from, to].iter().all(|end| within.grown(1.0).contains(*end)) {
+            continue;
+        }
         match pieces.last_mut() {
             Some(piece) if piece.last() == Some(&from) => piece.push(to),
             _ => pieces.push(vec![from, to]),

@@ -14,7 +14,7 @@ use std::f64::consts::FRAC_PI_2;
 const RIM: f64 = 20.0;
 
 /// Between rays that are shorter there is no room for numbers, in points.
-const ROOMY: f64 = 100.0;
+const ROOMY: f64 = 130.0;
 
 pub(super) fn draw(sheet: &mut Sheet, room: &Frame, interface: &Interface) {
     let [width, height] = room.size();

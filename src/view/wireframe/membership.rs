@@ -86,14 +86,12 @@ impl<'a> Membership<'a> {
     fn shared_with(&self, leaf: usize, point: DVec3) -> Vec<(usize, bool)> {
         let is_other = |other: &usize| *other != leaf && bounds_something(&self.solid.leaves[*other]);
         let shared = |other: usize| {
-            let value = self.value(other, point).abs();
-            if value > FAR {
+            if self.value(other, point).abs() > FAR || !self.lies_on(other, point) {
                 return None;
             }
-            let slope = self.gradient(other, point);
-            let is_there = value <= SAME_PLACE * self.scale(other) * slope.length();
-            let cosine = slope.normalize_or_zero().dot(self.gradient(leaf, point).normalize_or_zero());
-            (is_there && cosine.abs() > SAME_WAY).then_some((other, cosine > 0.0))
+            let [own, others] = [leaf, other].map(|leaf| self.gradient(leaf, point).normalize_or_zero());
+            let cosine = own.dot(others);
+            (cosine.abs() > SAME_WAY).then_some((other, cosine > 0.0))
         };
         (0..self.solid.leaves.len()).filter(is_other).filter_map(shared).collect()
     }
@@ -138,7 +136,7 @@ impl<'a> Membership<'a> {
             let halfway = from.midpoint(to);
             let middle = self.settled(leaf, halfway);
             // At the tip of a star the gradient vanishes, and Newton's method leads anywhere.
-            if middle.distance(halfway) > reach {
+            if middle.distance(halfway) > reach || !self.lies_on(leaf, middle) {
                 break;
             }
             if (self.side(leaf, middle) != 0.0) == begins {
@@ -149,6 +147,11 @@ impl<'a> Membership<'a> {
         }
         // The end that still lies on the surface.
         if begins { to } else { from }
+    }
+
+    /// Whether a point lies on a leaf's surface.
+    fn lies_on(&self, leaf: usize, point: DVec3) -> bool {
+        self.value(leaf, point).abs() <= SAME_PLACE * self.scale(leaf) * self.gradient(leaf, point).length()
     }
 
     /// The point on a leaf's surface next to one that lies close to it, by Newton's method along the gradient.
