@@ -4,7 +4,7 @@ use crate::folder::{Outside, files_of_scene};
 use crate::lesson::{Course, EMBEDDED, LessonText, Shelf};
 use crate::scene::{EmbeddedFiles, Files};
 use std::borrow::Cow;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -73,6 +73,7 @@ impl Lessons {
         texts.sort_by(|a, b| a.id.cmp(&b.id));
         let mut course = Course::read(&texts, Some(("glossary.md", &glossary_text(&beside))));
         course.findings.retain(|finding| finding.file == file);
+        course.beside = program_ids();
         Ok(Self { course, shelf: LessonShelf { folders }, chosen: Some(id) })
     }
 
@@ -85,7 +86,8 @@ impl Lessons {
             ));
         }
         let name = folder.join("glossary.md").display().to_string();
-        let course = Course::read(&texts, Some((&name, &glossary_text(folder))));
+        let mut course = Course::read(&texts, Some((&name, &glossary_text(folder))));
+        course.beside = program_ids();
         Ok(Self { course, shelf: LessonShelf { folders: folders_of(folder, &texts) }, chosen: None })
     }
 }
@@ -95,6 +97,11 @@ fn glossary_text(folder: &Path) -> String {
     let own = fs::read_to_string(folder.join("glossary.md")).ok();
     let of_program = || EMBEDDED.get_file("glossary.md").and_then(include_dir::File::contents_utf8).unwrap_or("");
     own.unwrap_or_else(|| of_program().to_owned())
+}
+
+/// The names of the lessons that come with the program.
+fn program_ids() -> BTreeSet<String> {
+    Course::embedded().lessons.into_iter().map(|lesson| lesson.id).collect()
 }
 
 fn folders_of(folder: &Path, texts: &[LessonText]) -> BTreeMap<String, PathBuf> {

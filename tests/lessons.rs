@@ -128,14 +128,18 @@ fn a_typed_number_fails_wherever_it_stands() {
 
 #[test]
 fn questions_without_one_right_answer_fail() {
-    says("right = \"rejected.t < 0\"", "right = true", "exactly one choice is to be right, and here 2 are");
-    says("right = \"rejected.t < hit.t\"", "right = false", "exactly one choice is to be right, and here 0 are");
+    says("right = \"rejected.t < 0\"", "right = true", "exactly one choice is to be right, and 2 are");
+    says("right = \"rejected.t < hit.t\"", "right = false", "exactly one choice is to be right, and none is");
 }
 
 #[test]
 fn a_solution_that_solves_nothing_fails_and_so_does_a_wrong_change_that_does() {
-    says("to = [40, 0, 0]", "to = [0, 0, 0.4]", "the right answer is not accepted");
-    says("at = \"camera.field_of_view\", to = 36", "at = \"camera.look_at\", to = [40, 0, 0]", "is accepted");
+    says("to = [40, 0, 0]", "to = [0, 0, 0.4]", "the solution does not do what `until` asks");
+    says(
+        "at = \"camera.field_of_view\", to = 36",
+        "at = \"camera.look_at\", to = [40, 0, 0]",
+        "does what `until` asks",
+    );
     says("at = \"camera.look_at\"", "at = \"camera.nonsense\"", "the solution");
 }
 

@@ -223,6 +223,39 @@ fn a_broken_scene_shows_all_its_errors_and_the_old_one_stays() {
 }
 
 #[test]
+fn a_scene_stays_open_until_the_next_one_is_there_and_another_takes_the_place_of_one_that_is_being_opened() {
+    let mut bench = open("hello/sphere");
+    let context = bench.ctx.clone();
+    let name = |bench: &Bench| workbench(bench).scene().expect("a scene is open").name.clone();
+    workbench_mut(&mut bench).open_scene(&context, "csg/bowl");
+    assert!(workbench(&bench).is_opening());
+    assert_eq!(name(&bench), "hello/sphere");
+    workbench_mut(&mut bench).open_scene(&context, "optics/fishbowl");
+    let mut names = vec![name(&bench)];
+    while workbench(&bench).is_opening() {
+        bench.step();
+        names.push(name(&bench));
+    }
+    names.dedup();
+    assert_eq!(names, ["hello/sphere", "optics/fishbowl"]);
+}
+
+#[test]
+fn what_is_typed_while_another_scene_is_opened_is_not_lost() {
+    let mut bench = open("hello/sphere");
+    let context = bench.ctx.clone();
+    workbench_mut(&mut bench).put_cursor(2);
+    settle(&mut bench);
+    // So much to read takes longer than typing.
+    let long = " ".repeat(20_000_000) + embedded_scene("csg/bowl").expect("the scene is embedded").text;
+    workbench_mut(&mut bench).open_text(&context, "csg/bowl", &long);
+    bench.event(egui::Event::Text(" ".to_owned()));
+    settle(&mut bench);
+    assert!(bench.query_by_label("Save the changes to hello/sphere?").is_some());
+    assert_eq!(workbench(&bench).scene().expect("a scene is open").name, "hello/sphere");
+}
+
+#[test]
 fn a_missing_file_is_named_and_the_old_scene_stays() {
     let mut bench = open("hello/sphere");
     let context = bench.ctx.clone();

@@ -168,3 +168,42 @@ fn every_command_of_the_menus_can_be_run_without_harm() {
     }
     assert!(workbench(&bench).scene().is_some());
 }
+
+#[test]
+fn no_layout_hides_a_tab_behind_the_tools_of_a_panel() {
+    let mut bench = open("csg/bowl");
+    for preset in Preset::ALL {
+        run(&mut bench, ViewCommand::Layout(preset));
+        settle(&mut bench);
+        assert!(bench.query_by_label("Scroll tabs right").is_none(), "{preset:?}");
+    }
+}
+
+#[test]
+fn tools_that_do_not_fit_beside_the_tabs_are_in_a_menu() {
+    let mut bench = open("csg/bowl");
+    run(&mut bench, ViewCommand::Layout(Preset::Present));
+    settle(&mut bench);
+    assert!(bench.query_by_label("Fit").is_none());
+    click_button(&mut bench, "Tools");
+    assert!(bench.query_by_label("Fit").is_some());
+}
+
+#[test]
+fn each_key_stands_before_what_it_does() {
+    let mut bench = open("csg/bowl");
+    run(&mut bench, Command::Help(HelpCommand::Keys));
+    for (key, does) in [("F8", "Go to the next thing that is wrong"), ("Home", "Go to the beginning of the story")] {
+        let key = bench.get_all_by_label(key).last().expect("it has a key").rect();
+        let does = bench.get_by_label_contains(does).rect();
+        assert!(key.right() < does.left() && key.y_range().intersects(does.y_range()), "{key} {does}");
+    }
+}
+
+#[test]
+fn a_menu_is_not_wider_than_its_longest_line() {
+    let mut bench = open("csg/bowl");
+    click_button(&mut bench, "Share");
+    let line = bench.get_by_label_contains("Save steps as animated PNG").rect();
+    assert!(line.width() < 360.0, "{line}");
+}

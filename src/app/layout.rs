@@ -18,6 +18,7 @@ impl Workbench {
         self.settings.apply(&ctx, self.dock.preset().magnification());
         self.take_files(&ctx);
         self.receive_opened(&ctx);
+        self.follow_lesson(&ctx);
         self.advance_story(&ctx);
         self.arrive();
         // What lies over the workbench has the keys.

@@ -15,6 +15,7 @@ mod frame;
 mod help;
 mod kept;
 mod layout;
+mod lesson;
 mod opening;
 mod pane;
 mod panes;
@@ -27,10 +28,11 @@ mod window;
 mod workbench;
 
 pub use command::{
-    Command, Commands, CompareCommand, EditCommand, HelpCommand, SceneCommand, SearchCommand, ShareCommand,
-    StepCommand, ViewCommand,
+    Command, Commands, CompareCommand, EditCommand, HelpCommand, LessonCommand, SceneCommand, SearchCommand,
+    ShareCommand, StepCommand, ViewCommand,
 };
 pub use dock::{Dock, Preset};
+pub use lesson::LessonPane;
 pub use pane::Pane;
 pub use settings::Settings;
 pub use share::{Aim, Ending, Product};
@@ -53,7 +55,8 @@ pub fn run(name: &str, text: String, outside: Outside, link: Option<Link>) -> Re
     if !has_display() {
         return Err(without_display("there is no display"));
     }
-    window::open(name, text, outside, link).map_err(|error| without_display(&none_opened(&error.to_string())))
+    let start = window::Start::Scene { name: name.to_owned(), text, outside, link: link.map(Box::new) };
+    window::open(start).map_err(|error| without_display(&none_opened(&error.to_string())))
 }
 
 /// Opens the workbench on a lesson and stays until its window is closed.
@@ -62,8 +65,10 @@ pub fn run(name: &str, text: String, outside: Outside, link: Option<Link>) -> Re
 ///
 /// One line that says why there is no window, and what to do without one.
 pub fn run_lesson(lessons: Lessons) -> Result<(), String> {
-    drop(lessons);
-    Err(without_display("lessons are not shown in it"))
+    if !has_display() {
+        return Err(without_display("there is no display"));
+    }
+    window::open(window::Start::Lessons(lessons)).map_err(|error| without_display(&none_opened(&error.to_string())))
 }
 
 /// Elsewhere than on Unix desktops a display is taken for granted.

@@ -53,6 +53,13 @@ enum Failure {
 }
 
 impl Workbench {
+    /// A workbench that opens the scene for the first visit.
+    #[must_use]
+    pub fn at_first_scene(ctx: &Context) -> Self {
+        let (name, text) = first_scene().map_or_else(Default::default, |scene| (scene.name, scene.text));
+        Self::new(ctx, &name, text, Outside::Refused)
+    }
+
     /// Whether a scene is being opened.
     #[must_use]
     pub const fn is_opening(&self) -> bool {
@@ -65,6 +72,11 @@ impl Workbench {
         let work = move |_: &_, publish: &mut dyn FnMut(Outcome)| publish(open(&wanted, source, outside));
         let work = Background::start(ctx, "open", work);
         self.opening.0 = work.map(|work| Job { name: name.to_owned(), work, after });
+    }
+
+    /// Opens nothing any more: another scene takes the place of what was being opened.
+    pub(in crate::app) fn give_up_opening(&mut self) {
+        self.opening = Opening::default();
     }
 
     /// Once a frame: shows the scene that was opened, or what is wrong with it.

@@ -42,11 +42,13 @@ pub enum Pane {
     Accuracy,
     /// What each effect costs.
     Effects,
+    /// The course, and the lesson that is open.
+    Lesson,
 }
 
 impl Pane {
     /// All panels, in the order of menus.
-    pub const ALL: [Self; 18] = [
+    pub const ALL: [Self; 19] = [
         Self::Picture,
         Self::Side,
         Self::Overview,
@@ -65,6 +67,7 @@ impl Pane {
         Self::Properties,
         Self::Accuracy,
         Self::Effects,
+        Self::Lesson,
     ];
 
     /// The name of its title in the catalogue of words; with `-about` behind it, that of what it shows.
@@ -89,6 +92,7 @@ impl Pane {
             Self::Properties => "pane-properties",
             Self::Accuracy => "pane-accuracy",
             Self::Effects => "pane-effects",
+            Self::Lesson => "pane-lesson",
         }
     }
 }

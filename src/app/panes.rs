@@ -2,12 +2,14 @@
 
 use super::frame::empty::empty;
 use super::frame::words::{say, say_with};
+use super::lesson::marks;
 use super::pane::Pane;
 use super::picture::panel::ImageView;
 use super::picture::renderer::Renderer;
 use super::share;
 use super::story::{detail, pane as story_pane};
 use super::workbench::{OpenScene, Workbench};
+use crate::lesson::model::Surface;
 use crate::record::Effect;
 use crate::scene::Scene;
 use egui::{Context, Ui, UiBuilder};
@@ -32,6 +34,7 @@ impl Workbench {
             Pane::Editor => self.editor_pane(ui),
             Pane::Properties => self.editing.properties_ui(ui),
             Pane::Search => self.search_pane(ui),
+            Pane::Lesson => self.lesson_pane(ui),
             Pane::Overview
             | Pane::Generic
             | Pane::Intervals
@@ -95,18 +98,29 @@ impl Workbench {
         let told = |pixel| self.search.told(pixel);
         let recording = self.recording.as_ref();
         let view = ImageView { scene: &open.scene, texture, recording, layers: &layers, told: &told };
-        if let Some(pixel) = self.image.ui(ui, &view) {
-            self.record(pixel);
+        let chosen = self.image.ui(ui, &view);
+        // A lesson may wait for the click; then it is an answer.
+        match (self.awaits_click(Surface::Image), self.image.clicked.take()) {
+            (Some(question), Some(click)) => self.answer_click(question, Surface::Image, click),
+            _ => chosen.into_iter().for_each(|pixel| self.record(pixel)),
         }
         self.picture_handles(ui);
+        if let Some((place, _)) = self.image.seen {
+            marks::draw(ui, &self.lesson_marks(Surface::Image), |at| place.on_screen(at));
+        }
     }
 
     fn side_pane(&mut self, ui: &mut Ui) {
         let Some(open) = &self.open else { return empty(ui, &say(ui.ctx(), "no-scene")) };
-        if let Some(event) = self.side.ui(ui, &open.scene, self.recording.as_ref()) {
-            self.select(event);
+        let chosen = self.side.ui(ui, &open.scene, self.recording.as_ref());
+        match (self.awaits_click(Surface::Side), self.side.clicked.take()) {
+            (Some(question), Some(click)) => self.answer_click(question, Surface::Side, click),
+            _ => chosen.into_iter().for_each(|event| self.select(event)),
         }
         self.section_handles(ui);
+        if let Some((rect, _)) = self.side.plane() {
+            marks::draw(ui, &self.lesson_marks(Surface::Side), |at| marks::within(rect, at));
+        }
     }
 
     fn accuracy_pane(&mut self, ui: &mut Ui) {

@@ -15,7 +15,8 @@ use crate::app::frame::scene_menu::SceneMenu;
 use crate::app::frame::theme;
 use crate::app::frame::words::say;
 use crate::app::help::Help;
-use crate::app::kept;
+use crate::app::kept::{self, Kept};
+use crate::app::lesson::LessonPane;
 use crate::app::opening::{After, Opening, Source, unreadable};
 use crate::app::pane::Pane;
 use crate::app::picture::panel::ImagePanel;
@@ -29,6 +30,7 @@ use crate::app::story::timeline::Timeline;
 use crate::folder::Outside;
 use crate::record::EventId;
 use crate::scene::{Effects, Profile, Scene};
+use crate::trace::record_ray;
 use egui::Context;
 use std::sync::Arc;
 
@@ -95,6 +97,7 @@ pub struct Workbench {
     pub(in crate::app) help: Help,
     pub(in crate::app) sharing: Sharing,
     pub(in crate::app) opening: Opening,
+    pub(in crate::app) lesson: LessonPane,
     ctx: Context,
 }
 
@@ -126,6 +129,7 @@ impl Workbench {
             help: Help::default(),
             sharing: Sharing::default(),
             opening: Opening::default(),
+            lesson: LessonPane::default(),
             outside,
             ctx: ctx.clone(),
         };
@@ -171,8 +175,14 @@ impl Workbench {
     fn renew(&mut self, ctx: &Context) {
         let Some(open) = &self.open else { return };
         self.renderer.start(ctx, &open.scene);
-        if let Some(pixel) = self.recording.as_ref().map(|recording| recording.pixel) {
-            self.record(pixel);
+        match self.recording.as_ref().map(|recording| (recording.pixel, recording.loose_ray())) {
+            Some((pixel, Some([origin, direction]))) => {
+                let scene = Arc::clone(&open.scene);
+                let tree = Arc::new(record_ray(&scene, origin, direction));
+                self.show_elsewhere(Recording::of_tree(scene, pixel, tree, None));
+            }
+            Some((pixel, None)) => self.record(pixel),
+            None => {}
         }
     }
 
@@ -262,13 +272,13 @@ impl Workbench {
     /// What is kept from one start to the next, as text.
     #[must_use]
     pub fn keep(&self) -> String {
-        kept::write(&self.dock, self.settings)
+        kept::write(&self.dock, self.settings, &self.lesson.progress)
     }
 
     /// Takes up what was kept. A text that makes no sense is passed over.
     pub fn take_up(&mut self, text: &str) {
-        if let Some((dock, settings)) = kept::read(text) {
-            (self.dock, self.settings) = (dock, settings);
+        if let Some(Kept { dock, settings, progress }) = kept::read(text) {
+            (self.dock, self.settings, self.lesson.progress) = (dock, settings, progress);
         }
     }
 

@@ -2,10 +2,10 @@
 
 use super::glossary::Glossary;
 use super::model::Lesson;
-use super::place::{Finding, Place};
+use super::place::Finding;
 use super::source::read;
 use include_dir::{Dir, include_dir};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// The lessons that come with the program.
 pub static EMBEDDED: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/lessons");
@@ -30,6 +30,8 @@ pub struct Course {
     pub glossary: Glossary,
     /// What was found wrong while they were read.
     pub findings: Vec<Finding>,
+    /// Lessons that may be needed and linked to, though they are no part of it: the program's, of a course from elsewhere.
+    pub beside: BTreeSet<String>,
 }
 
 impl Course {
@@ -78,6 +80,12 @@ impl Course {
         self.lessons.iter().find(|lesson| lesson.id == id)
     }
 
+    /// Whether there is a lesson of that name, in it or beside it.
+    #[must_use]
+    pub fn has(&self, id: &str) -> bool {
+        self.lesson(id).is_some() || self.beside.contains(id)
+    }
+
     /// How many lessons lie between each lesson and the first that it builds on: the column of the course's map. What needs
     /// nothing is in column 0.
     #[must_use]
@@ -99,6 +107,7 @@ impl Course {
             for need in &lesson.header.needs {
                 let found = self.lessons.iter().position(|other| other.id == need.value);
                 let message = match found {
+                    None if self.beside.contains(&need.value) => continue,
                     None => format!("there is no lesson `{}`", need.value),
                     Some(at) if at >= number => format!("`{}` does not come before this lesson", need.value),
                     Some(_) => continue,
@@ -109,6 +118,3 @@ impl Course {
         findings
     }
 }
-
-/// The start of a file.
-pub(super) const START: Place = Place { line: 1, column: 1 };

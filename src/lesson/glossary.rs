@@ -72,6 +72,13 @@ impl Glossary {
         self.terms.iter().find(|term| is_it(&term.name) || term.also.iter().any(|form| is_it(form)))
     }
 
+    /// The term that is called most like this.
+    #[must_use]
+    pub fn nearest(&self, name: &str) -> Option<&str> {
+        let distance = |term: &&Term| strsim::damerau_levenshtein(&term.name, &name.to_lowercase());
+        self.terms.iter().min_by_key(distance).map(|term| term.name.as_str())
+    }
+
     /// The text with each term linked where it first stands.
     #[must_use]
     pub fn linked(&self, prose: Prose<Told>) -> Prose<Told> {

@@ -20,13 +20,13 @@ mod source;
 mod stage;
 mod table;
 
-pub use check::{Checked, check_course, check_lesson};
+pub use check::{Checked, check_course, check_in_course, check_lesson};
 pub use course::{Course, EMBEDDED, LessonText};
 pub use exam::{Before, Exam, ExamQuestion};
 pub use glossary::{Glossary, Term};
 pub use model::{Lesson, Part, Step};
 pub use place::{Finding, Findings, Place};
-pub use progress::Progress;
+pub use progress::{Progress, Record};
 pub use prose::Told;
 pub use question::{Answer, Posed, Verdict};
 pub use scenes::{Compiled, NoShelf, Scenes, Shelf};

@@ -3,13 +3,15 @@
 use super::expression::Expression;
 use super::expression::Format;
 use super::place::Place;
-use super::prose::{Inline, Line, Prose, Reference};
+use super::prose::{Inline, Line, Prose, Reference, Target};
 use crate::document;
 use crate::query::Query;
+use crate::record::format_number;
 use crate::scene::Profile;
 use crate::story::Level;
 use crate::view::View;
 use serde_json::Value as Json;
+use std::fmt;
 
 /// A lesson.
 #[derive(Clone, Debug)]
@@ -24,6 +26,10 @@ pub struct Lesson {
     pub opening: Prose<Reference>,
     /// The steps, in order.
     pub steps: Vec<Step>,
+    /// The links in it, with their places.
+    pub links: Vec<(Target, Place)>,
+    /// Whether everything in it could be read.
+    pub is_whole: bool,
 }
 
 /// What is said of a lesson as a whole.
@@ -57,6 +63,8 @@ pub struct Step {
     pub title: String,
     /// Where it begins.
     pub place: Place,
+    /// Whether its block could be read. Where not, nothing can be said of what it would look at.
+    pub is_whole: bool,
     /// What is traced.
     pub aim: Aim,
     /// The question whose first event is selected.
@@ -94,6 +102,8 @@ pub struct Aim {
     pub accuracy: Option<Profile>,
     /// Where it is said.
     pub place: Place,
+    /// Whether a block that it depends on could not be read.
+    pub is_lost: bool,
 }
 
 /// A pixel or a ray.
@@ -103,6 +113,19 @@ pub enum At {
     Pixel([u32; 2]),
     /// Origin and direction.
     Ray([f64; 6]),
+}
+
+/// In words: `pixel 333, 150`.
+impl fmt::Display for At {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Pixel([x, y]) => write!(f, "pixel {x}, {y}"),
+            Self::Ray(ray) => {
+                let numbers = ray.map(format_number);
+                write!(f, "the ray from ({}) along ({})", numbers[..3].join(", "), numbers[3..].join(", "))
+            }
+        }
+    }
 }
 
 /// A change to a scene's file.

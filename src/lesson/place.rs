@@ -1,5 +1,6 @@
 //! Places in a lesson's file, and what is wrong there.
 
+use super::prose::Target;
 use std::fmt;
 
 /// A line and a column, counted from 1.
@@ -45,13 +46,14 @@ pub struct Findings<'a> {
     file: &'a str,
     text: &'a str,
     list: Vec<Finding>,
+    links: Vec<(Target, Place)>,
 }
 
 impl<'a> Findings<'a> {
     /// None yet, of a file with this text.
     #[must_use]
     pub const fn new(file: &'a str, text: &'a str) -> Self {
-        Self { file, text, list: Vec::new() }
+        Self { file, text, list: Vec::new(), links: Vec::new() }
     }
 
     /// Adds one at a byte of the text.
@@ -62,6 +64,22 @@ impl<'a> Findings<'a> {
     /// Adds one at a place.
     pub fn add_at(&mut self, place: Place, message: impl Into<String>) {
         self.list.push(Finding { file: self.file.to_owned(), place, message: message.into() });
+    }
+
+    /// Keeps a link, to be followed once everything is read.
+    pub fn keep_link(&mut self, offset: usize, target: Target) {
+        self.links.push((target, self.place(offset)));
+    }
+
+    /// The links, in the order in which they were met.
+    pub fn take_links(&mut self) -> Vec<(Target, Place)> {
+        std::mem::take(&mut self.links)
+    }
+
+    /// Whether nothing is wrong so far.
+    #[must_use]
+    pub fn is_clean(&self) -> bool {
+        self.list.is_empty()
     }
 
     /// The place of a byte of the text.

@@ -1,10 +1,11 @@
 //! Scenes as lessons ask for them: by name, changed, with an accuracy; each compiled and traced once.
 
 use super::model::{Aim, At, Change};
-use crate::document::{Replacement, Structure, Syntax};
+use crate::document::{Place, Replacement, Step, Structure, Syntax};
 use crate::scene::{EmbeddedFiles, Files, Scene, embedded_scene, load_with};
 use crate::trace::{RayTree, record_pixel, record_ray};
 use glam::DVec3;
+use serde_json::Value as Json;
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -128,6 +129,7 @@ pub fn changed(text: &str, changes: &[Change]) -> Result<String, String> {
     let mut text = text.to_owned();
     for change in changes {
         let syntax = Syntax::of(&text);
+        known_name(&text, &syntax, change)?;
         let replacements = Structure { text: &text, syntax: &syntax }.set(&change.at, &change.to);
         let Some(replacements) = replacements else {
             return Err(format!("there is no place `{}` in the scene that a value could be put at", change.at));
@@ -136,6 +138,22 @@ pub fn changed(text: &str, changes: &[Change]) -> Result<String, String> {
     }
     Ok(text)
 }
+
+/// Something in the file that has names of its own is there before it is changed: a name that was mistyped would be a new thing, which
+/// nothing uses.
+fn known_name(text: &str, syntax: &Syntax, change: &Change) -> Result<(), String> {
+    let [Step::Field(group), Step::Field(name), _, ..] = change.at.0.as_slice() else { return Ok(()) };
+    let whole = syntax.value_at(text, &Place::ROOT.field(group));
+    let Some(Json::Object(things)) = whole.filter(|_| NAMED_GROUPS.contains(&group.as_str())) else { return Ok(()) };
+    if things.contains_key(name) {
+        return Ok(());
+    }
+    let names: Vec<&str> = things.keys().map(String::as_str).collect();
+    Err(format!("there is nothing named `{name}` among the {group} of the scene: there are {}", names.join(", ")))
+}
+
+/// The fields of a scene file that hold things by name.
+const NAMED_GROUPS: [&str; 3] = ["materials", "solids", "media"];
 
 /// The replacements are apart, so that the last ones can be made first.
 fn made(text: &str, mut replacements: Vec<Replacement>) -> String {

@@ -1,13 +1,13 @@
 //! A step with its rays recorded: what its expressions, questions and drawings are about.
 
 use super::expression::{Expression, ExpressionError, Known, Question as Asked, Value};
-use super::model::{Aim, At, Condition, Lesson, Sited, Step};
+use super::model::{Aim, Condition, Lesson, Sited, Step};
 use super::place::{Finding, Place};
 use super::prose::{Block, Inline, Line, Piece, Prose, Reference, Told};
 use super::scenes::{Compiled, Scenes, Shelf, record};
 use crate::document::Syntax;
 use crate::query::Query;
-use crate::record::{EventId, format_number};
+use crate::record::EventId;
 use crate::scene::Scene;
 use crate::trace::RayTree;
 use std::cell::Cell;
@@ -57,9 +57,7 @@ impl Stage {
         shelf: &dyn Shelf,
     ) -> Result<Self, Finding> {
         let finding = |place: Place, message: String| Finding { file: lesson.file.clone(), place, message };
-        let trace = |aim: &Aim| {
-            scenes.trace(&lesson.id, aim, shelf).map_err(|message| finding(aim.place.max(step.place), message))
-        };
+        let trace = |aim: &Aim| scenes.trace(&lesson.id, aim, shelf).map_err(|message| finding(aim.place, message));
         let (scene, tree) = trace(aim)?;
         let event = match &step.event {
             None => 0,
@@ -100,14 +98,7 @@ impl Stage {
     #[must_use]
     pub fn aim_in_words(&self) -> String {
         let changed = if self.aim.changes.is_empty() { "" } else { ", changed" };
-        let at = match self.aim.at {
-            Some(At::Pixel([x, y])) => format!(", pixel {x}, {y}"),
-            Some(At::Ray(ray)) => {
-                let numbers = ray.map(format_number);
-                format!(", the ray from ({}) along ({})", numbers[..3].join(", "), numbers[3..].join(", "))
-            }
-            None => String::new(),
-        };
+        let at = self.aim.at.map_or(String::new(), |at| format!(", {at}"));
         format!("{}{changed}{at}", self.aim.scene)
     }
 

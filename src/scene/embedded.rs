@@ -13,6 +13,16 @@ pub struct EmbeddedScene {
     pub text: &'static str,
 }
 
+impl EmbeddedScene {
+    /// What it is called, or its name. It is read without compiling the scene, so that a list of all of them is there at once.
+    #[must_use]
+    pub fn title(&self) -> String {
+        let whole: Option<serde_json::Value> = serde_json::from_str(self.text).ok();
+        let title = whole.as_ref().and_then(|whole| whole.get("title")?.as_str());
+        title.unwrap_or(&self.name).to_owned()
+    }
+}
+
 /// All embedded scenes, by name.
 #[must_use]
 pub fn embedded_scenes() -> Vec<EmbeddedScene> {

@@ -65,6 +65,12 @@ impl Theme {
         matches!(self, Self::Dark | Self::DarkContrast)
     }
 
+    /// Whether its colours are as far apart as can be.
+    #[must_use]
+    pub const fn is_high_contrast(self) -> bool {
+        matches!(self, Self::LightContrast | Self::DarkContrast)
+    }
+
     /// Its colours.
     #[must_use]
     pub const fn palette(self) -> &'static Palette {

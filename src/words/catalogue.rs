@@ -16,6 +16,7 @@ macro_rules! files {
             include_str!(concat!("../../assets/words/", $language, "/effects.ftl")),
             include_str!(concat!("../../assets/words/", $language, "/everyone.ftl")),
             include_str!(concat!("../../assets/words/", $language, "/frame.ftl")),
+            include_str!(concat!("../../assets/words/", $language, "/lesson.ftl")),
             include_str!(concat!("../../assets/words/", $language, "/picture.ftl")),
             include_str!(concat!("../../assets/words/", $language, "/search.ftl")),
             include_str!(concat!("../../assets/words/", $language, "/share.ftl")),
@@ -24,7 +25,7 @@ macro_rules! files {
     };
 }
 
-const fn files(language: Language) -> [&'static str; 11] {
+const fn files(language: Language) -> [&'static str; 12] {
     match language {
         Language::English => files!("en"),
         Language::German => files!("de"),

@@ -6,6 +6,7 @@
 mod compare;
 mod edit;
 mod help;
+mod lesson;
 mod scene;
 mod search;
 mod share;
@@ -15,6 +16,7 @@ mod view;
 pub use compare::CompareCommand;
 pub use edit::EditCommand;
 pub use help::HelpCommand;
+pub use lesson::LessonCommand;
 pub use scene::SceneCommand;
 pub use search::SearchCommand;
 pub use share::ShareCommand;
@@ -105,6 +107,7 @@ areas! {
     Scene(SceneCommand) = "menu-scene",
     Edit(EditCommand) = "menu-edit",
     Step(StepCommand) = "menu-step",
+    Lesson(LessonCommand) = "menu-lesson",
     Search(SearchCommand) = "menu-search",
     Compare(CompareCommand) = "menu-compare",
     View(ViewCommand) = "menu-view",

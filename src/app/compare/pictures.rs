@@ -129,6 +129,7 @@ impl Pictures {
         response.on_hover_cursor(CursorIcon::ResizeHorizontal);
         let sides = [say(ui.ctx(), "compare-left-side"), say(ui.ctx(), "compare-right-side")];
         ui.horizontal(|ui| {
+            ui.set_max_width(rect.width());
             ui.label(egui::RichText::new(&sides[0]).small().weak());
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
                 ui.label(egui::RichText::new(&sides[1]).small().weak());

@@ -1,7 +1,7 @@
 //! How docked panels look: a card with a header of tabs, the tools of the panel that is seen at the right end of it.
 
 use super::{focus_of, header};
-use crate::app::frame::theme::{PADDING, Palette, bold};
+use crate::app::frame::theme::{PADDING, Palette, bold, drawing_theme};
 use crate::app::frame::words::say;
 use crate::app::pane::Pane;
 use crate::app::workbench::Workbench;
@@ -69,6 +69,9 @@ impl Docking<'_> {
         let mut child = ui.new_child(UiBuilder::new().id_salt(pane.word()).max_rect(rect.shrink(1.0)));
         child.shrink_clip_rect(rect);
         self.workbench.pane(&mut child, pane);
+        if drawing_theme(ui.ctx()).is_high_contrast() {
+            ui.painter().rect_stroke(rect, 0.0, Stroke::new(1.0, palette.edge), StrokeKind::Inside);
+        }
         if whole.has_focus() {
             ui.painter().rect_stroke(rect, 0.0, Stroke::new(1.5, palette.accent), StrokeKind::Inside);
         }
@@ -129,8 +132,9 @@ impl Behavior<Pane> for Docking<'_> {
         if state.active { self.palette().panel } else { Color32::TRANSPARENT }
     }
 
-    fn tab_outline_stroke(&self, _visuals: &Visuals, _tiles: &Tiles<Pane>, _tile: TileId, _state: &TabState) -> Stroke {
-        Stroke::NONE
+    fn tab_outline_stroke(&self, _visuals: &Visuals, _tiles: &Tiles<Pane>, _tile: TileId, state: &TabState) -> Stroke {
+        // Where contrast is high, panel and header have the same colour.
+        if state.active { Stroke::new(1.0, self.palette().edge) } else { Stroke::NONE }
     }
 
     fn tab_text_color(&self, _visuals: &Visuals, _tiles: &Tiles<Pane>, _tile: TileId, state: &TabState) -> Color32 {

@@ -1,6 +1,7 @@
 //! Where the panels lie: docked, behind each other as tabs, resized; one layout for each purpose, each kept as it was left.
 
 mod behaviour;
+mod beside;
 mod header;
 mod preset;
 mod resize;
@@ -30,9 +31,10 @@ pub struct Dock {
 }
 
 /// A change of the layout that a panel asks for.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 enum Wish {
     Reveal(Pane),
+    Beside(Vec<Pane>, Pane),
     ToggleAlone(Pane),
 }
 
@@ -168,6 +170,7 @@ impl Dock {
         for wish in std::mem::take(&mut self.waiting) {
             match wish {
                 Wish::Reveal(pane) => self.reveal(pane),
+                Wish::Beside(panes, kept) => self.show_beside(&panes, kept),
                 Wish::ToggleAlone(pane) => self.toggle_alone(pane),
             }
         }

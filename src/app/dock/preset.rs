@@ -18,11 +18,13 @@ pub enum Preset {
     Present,
     /// Maps, search, accuracy and effects.
     Measure,
+    /// A lesson beside what it is about.
+    Lesson,
 }
 
 impl Preset {
     /// All of them, in the order of the top bar.
-    pub const ALL: [Self; 4] = [Self::Learn, Self::Inspect, Self::Present, Self::Measure];
+    pub const ALL: [Self; 5] = [Self::Learn, Self::Inspect, Self::Present, Self::Measure, Self::Lesson];
 
     /// The name of its title in the catalogue of words; with `-about` behind it, that of what it is for.
     #[must_use]
@@ -32,6 +34,7 @@ impl Preset {
             Self::Inspect => "preset-inspect",
             Self::Present => "preset-present",
             Self::Measure => "preset-measure",
+            Self::Lesson => "preset-lesson",
         }
     }
 
@@ -48,7 +51,7 @@ impl Preset {
     #[must_use]
     pub fn layout(self) -> Tree<Pane> {
         use Pane::{
-            Accuracy, Along, Compare, Detail, Editor, Effects, Generic, Intervals, Overview, Picture, Planes,
+            Accuracy, Along, Compare, Detail, Editor, Effects, Generic, Intervals, Lesson, Overview, Picture, Planes,
             Properties, Search, Shading, Side, Signs, Snell, Story,
         };
         let mut plan = Plan::default();
@@ -56,7 +59,7 @@ impl Preset {
             Self::Learn => {
                 let left = plan.below(0.5, &[Picture], &[Side, Overview]);
                 let right = plan.below(0.48, &[Detail, Properties, Compare], &[Along]);
-                let middle = plan.tabs(&[Story, Editor]);
+                let middle = plan.tabs(&[Story, Editor, Lesson]);
                 let reading = plan.split(LinearDir::Horizontal, 0.52, middle, right);
                 plan.split(LinearDir::Horizontal, 0.35, left, reading)
             }
@@ -76,6 +79,14 @@ impl Preset {
                 let left = plan.below(0.56, &[Picture], &[Search]);
                 let right = plan.tabs(&[Accuracy, Effects, Compare, Story]);
                 plan.split(LinearDir::Horizontal, 0.4, left, right)
+            }
+            Self::Lesson => {
+                let left = plan.tabs(&[Lesson]);
+                let middle = plan.below(0.48, &[Picture], &[Side, Signs, Planes]);
+                let lower = [Detail, Along, Generic, Intervals, Overview, Snell, Shading];
+                let right = plan.below(0.5, &[Story, Editor, Properties], &lower);
+                let seen = plan.split(LinearDir::Horizontal, 0.5, middle, right);
+                plan.split(LinearDir::Horizontal, 0.34, left, seen)
             }
         };
         Tree::new(dock_id(), root, plan.tiles)

@@ -37,6 +37,8 @@ pub struct SidePanel {
     canvas: Canvas<Key>,
     /// Where the drawing lies on screen, and what it is of.
     seen: Option<(Rect, Key)>,
+    /// Where it was clicked in this frame, in points of the drawing.
+    pub clicked: Option<[f64; 2]>,
 }
 
 /// Everything that the drawing depends on.
@@ -80,7 +82,13 @@ impl Key {
 
 impl Default for SidePanel {
     fn default() -> Self {
-        Self { plane: SectionPlane::RayAndUp, sight: Sight::WHOLE, canvas: Canvas::default(), seen: None }
+        Self {
+            plane: SectionPlane::RayAndUp,
+            sight: Sight::WHOLE,
+            canvas: Canvas::default(),
+            seen: None,
+            clicked: None,
+        }
     }
 }
 
@@ -120,6 +128,8 @@ impl SidePanel {
         response.widget_info(|| WidgetInfo::labeled(Role::Image, true, &title));
         let response = response.on_hover_and_drag_cursor(CursorIcon::Grab);
         self.pan_and_zoom(ui, &response, rect);
+        let at = response.interact_pointer_pos().filter(|_| response.clicked());
+        self.clicked = at.map(|at| [f64::from(at.x - rect.left()), f64::from(at.y - rect.top())]);
         let key = self.key(ui, scene, recording, rect);
         self.seen = Some((rect, key.clone()));
         let wanted = key.clone();

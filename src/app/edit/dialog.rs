@@ -16,6 +16,8 @@ pub enum Then {
     OpenText(String, String),
     /// Restores what a link says.
     Follow(Box<Link>),
+    /// Sets the scene of a lesson's step.
+    Lesson,
     /// Begins a new scene.
     New(Template),
     /// Closes the window.

@@ -155,6 +155,7 @@ impl Workbench {
             Then::Open(name) => self.open_scene(ctx, &name),
             Then::OpenText(name, text) => self.open_text(ctx, &name, &text),
             Then::Follow(link) => self.follow(ctx, &link),
+            Then::Lesson => self.set_stage(ctx),
             Then::New(template) => self.begin_new(ctx, template),
             Then::Close => ctx.send_viewport_cmd(ViewportCommand::Close),
         }

@@ -1,11 +1,12 @@
 //! The scene follows its text: what is typed is compiled and the pixel recorded on a thread, and the window goes on.
 
 use crate::app::frame::background::Background;
+use crate::app::story::recording::loose_ray;
 use crate::document::{changed_events, same_event};
 use crate::folder::{Outside, files_of_scene};
 use crate::record::EventId;
 use crate::scene::{Diagnostics, Profile, Scene, load_with};
-use crate::trace::{RayTree, record_pixel};
+use crate::trace::{RayTree, record_pixel, record_ray};
 use egui::Context;
 use std::collections::BTreeSet;
 use std::sync::Arc;
@@ -131,7 +132,12 @@ impl Order {
         let size = [scene.image.width, scene.image.height];
         let wanted = self.pixel.or_else(|| scene.pixels.first().copied()).unwrap_or(size.map(|pixels| pixels / 2));
         let pixel = [0, 1].map(|i| wanted[i].min(size[i].saturating_sub(1)));
-        let tree = Arc::new(record_pixel(&scene, pixel[0], pixel[1]));
+        // A ray of its own stays the same ray.
+        let ray = self.before.as_ref().and_then(|(before, _)| loose_ray(before));
+        let tree = Arc::new(match ray {
+            Some([origin, direction]) => record_ray(&scene, origin, direction),
+            None => record_pixel(&scene, pixel[0], pixel[1]),
+        });
         let (selected, changed) = match &self.before {
             Some((before, selected)) => (same_event(before, &tree, *selected), changed_events(before, &tree)),
             None => (0, BTreeSet::new()),

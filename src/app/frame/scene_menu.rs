@@ -4,7 +4,6 @@ use crate::app::frame::theme::Palette;
 use crate::app::frame::words::{say, say_with};
 use crate::scene::embedded_scenes;
 use egui::{RichText, ScrollArea, Ui};
-use serde_json::Value;
 
 /// Height of the list, in points.
 const HEIGHT: f32 = 560.0;
@@ -28,7 +27,7 @@ pub struct SceneMenu {
 impl Default for SceneMenu {
     fn default() -> Self {
         let entry = |scene: crate::scene::EmbeddedScene| {
-            let title = title(scene.text).unwrap_or_else(|| scene.name.clone());
+            let title = scene.title();
             let topic = scene.name.split_once('/').map_or("", |(topic, _)| topic).to_owned();
             Entry { name: scene.name, topic, title }
         };
@@ -36,12 +35,6 @@ impl Default for SceneMenu {
         entries.sort_by_key(|entry| place(&entry.topic));
         Self { entries }
     }
-}
-
-/// A scene's title; compiling all scenes for it would keep the window waiting.
-fn title(text: &str) -> Option<String> {
-    let whole: Value = serde_json::from_str(text).ok()?;
-    Some(whole.get("title")?.as_str()?.to_owned())
 }
 
 /// The topics in the order in which they are learnt; others follow.

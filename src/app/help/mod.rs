@@ -35,6 +35,8 @@ pub enum Outcome {
     Run(Command),
     /// A scene was chosen, by name.
     Open(String),
+    /// A lesson was chosen, by name.
+    Lesson(String),
 }
 
 impl Help {
@@ -70,6 +72,7 @@ impl Workbench {
             Outcome::Close => {}
             Outcome::Run(command) => command.run(self, ui.ctx()),
             Outcome::Open(name) => self.open_scene(ui.ctx(), &name),
+            Outcome::Lesson(id) => self.open_lesson(&id),
         }
         self.settings.is_toured |= is_tour;
     }

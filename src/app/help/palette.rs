@@ -93,8 +93,19 @@ impl Palette {
             is_possible: true,
             outcome: Outcome::Open(scene.name),
         });
-        let mut lines: Vec<(i32, Line)> =
-            commands.chain(scenes).filter_map(|line| Some((score(&self.typed, &line.title)?, line))).collect();
+        let course = workbench.lesson().lessons().map(|lessons| &lessons.course);
+        let lessons = course.into_iter().flat_map(|course| &course.lessons).map(|lesson| Line {
+            title: say_with(ctx, "palette-lesson", &[("title", (&lesson.header.title).into())]),
+            about: lesson.header.idea.clone(),
+            key: String::new(),
+            is_possible: true,
+            outcome: Outcome::Lesson(lesson.id.clone()),
+        });
+        let mut lines: Vec<(i32, Line)> = commands
+            .chain(scenes)
+            .chain(lessons)
+            .filter_map(|line| Some((score(&self.typed, &line.title)?, line)))
+            .collect();
         if !self.typed.is_empty() {
             lines.sort_by_key(|(score, _)| std::cmp::Reverse(*score));
         }

@@ -24,6 +24,8 @@ pub struct ImagePanel {
     hits: Hits,
     /// Where the picture lies on screen, and the widget that it is.
     pub seen: Option<(Placement, Id)>,
+    /// Where it was clicked in this frame, in its pixels.
+    pub clicked: Option<[f64; 2]>,
 }
 
 /// What the panel shows.
@@ -60,6 +62,8 @@ impl ImagePanel {
         response.widget_info(|| WidgetInfo::labeled(Role::Image, true, &name));
         let response = response.on_hover_cursor(egui::CursorIcon::Crosshair);
         self.seen = Some((place, response.id));
+        let click = response.interact_pointer_pos().filter(|_| response.clicked());
+        self.clicked = click.map(|at| place.in_pixels(at));
 
         let painter = ui.painter_at(above);
         match &view.texture {
@@ -76,7 +80,10 @@ impl ImagePanel {
         painter.rect_stroke(place.rect, 0.0, Stroke::new(1.0, palette.edge), StrokeKind::Outside);
         if let Some(recording) = view.recording {
             self.hits.draw(&painter, view.scene, &place, recording);
-            draw_crosshair(&painter, place.pixel_rect(recording.pixel), place.rect);
+            // A ray of its own goes through no pixel.
+            if recording.loose_ray().is_none() {
+                draw_crosshair(&painter, place.pixel_rect(recording.pixel), place.rect);
+            }
         }
         if response.has_focus() {
             painter.rect_stroke(place.rect, 0.0, Stroke::new(2.0, palette.accent), StrokeKind::Outside);
@@ -97,7 +104,8 @@ impl ImagePanel {
     /// The line below the picture.
     fn readout(&self, ui: &mut Ui, line: Rect, view: &ImageView) {
         let palette = Palette::current(ui.ctx());
-        let focused = view.recording.map(|recording| recording.pixel);
+        let of_pixel = view.recording.filter(|recording| recording.loose_ray().is_none());
+        let focused = of_pixel.map(|recording| recording.pixel);
         let (text, swatch) = match (&self.reading, focused) {
             (Some(reading), _) => {
                 let told = (view.told)(reading.pixel).map(|told| format!(" · {told}")).unwrap_or_default();

@@ -34,6 +34,13 @@ impl Placement {
         self.rect.min + share * self.rect.size()
     }
 
+    /// The place in the picture that lies there on screen: what [`on_screen`](Self::on_screen) undoes.
+    #[must_use]
+    pub fn in_pixels(&self, position: Pos2) -> [f64; 2] {
+        let share = (position - self.rect.min) / self.rect.size();
+        [f64::from(share.x) * f64::from(self.size[0]), f64::from(share.y) * f64::from(self.size[1])]
+    }
+
     /// What a pixel covers on screen.
     #[must_use]
     pub fn pixel_rect(&self, [x, y]: [u32; 2]) -> Rect {

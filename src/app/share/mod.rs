@@ -9,6 +9,7 @@ mod saving;
 
 pub use menu::tools;
 pub use product::{Ending, Product};
+pub use restore::pane_named;
 
 use crate::app::frame::words::{say, say_with};
 use crate::app::workbench::Workbench;

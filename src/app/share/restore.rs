@@ -10,15 +10,14 @@ use crate::app::opening::{After, Source};
 use crate::app::pane::Pane;
 use crate::app::story::recording::Recording;
 use crate::app::workbench::{Look, OpenScene, Workbench};
-use crate::record::{Effect, What};
+use crate::record::Effect;
 use crate::scene::{Effects, Profile, embedded_scene};
 use crate::share::link::{Accuracy, Aim, EventPlace, Link};
 use crate::story::Level;
 use crate::trace::record_ray;
-use crate::view::{Theme, View};
+use crate::view::View;
 use crate::words::Language;
 use egui::{Context, ThemePreference};
-use glam::DVec3;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -120,9 +119,9 @@ impl Workbench {
             self.drawings.turn_to(orbit);
         }
         if let Some(theme) = link.theme {
-            let is_dark = matches!(theme, Theme::Dark | Theme::DarkContrast);
+            let is_dark = theme.is_dark();
             ctx.set_theme(if is_dark { ThemePreference::Dark } else { ThemePreference::Light });
-            self.settings.is_high_contrast = matches!(theme, Theme::LightContrast | Theme::DarkContrast);
+            self.settings.is_high_contrast = theme.is_high_contrast();
         }
     }
 
@@ -182,10 +181,7 @@ pub(super) struct Awaited {
 
 /// What was traced.
 fn aim_of(recording: &Recording) -> Aim {
-    match recording.tree.events.first().map(|event| &event.what) {
-        Some(What::LooseRay { origin, direction }) => Aim::Ray([*origin, *direction].map(DVec3::from_array)),
-        _ => Aim::Pixel(recording.pixel),
-    }
+    recording.loose_ray().map_or(Aim::Pixel(recording.pixel), Aim::Ray)
 }
 
 /// The name of a panel in links: that of the drawing that it is first of all, or its own.
@@ -195,7 +191,7 @@ fn name_of(pane: Pane) -> &'static str {
 }
 
 /// The panel of a name, or one that shows a drawing of that name besides others.
-fn pane_named(name: &str) -> Option<Pane> {
+pub fn pane_named(name: &str) -> Option<Pane> {
     let is_first = |pane: &Pane| name_of(*pane) == name;
     // What else happens to a ray is drawn along it.
     let along = View::named(name).map(|_| Pane::Along);

@@ -55,6 +55,11 @@ impl Recorder {
         }
     }
 
+    /// Forgets what was asked for.
+    pub fn forget(&mut self) {
+        (self.running, self.next) = (None, None);
+    }
+
     /// Whether something is being recorded.
     #[must_use]
     pub fn is_busy(&self) -> bool {

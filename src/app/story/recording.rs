@@ -48,6 +48,8 @@ pub struct Recording {
     pub probe_t: Option<f64>,
     /// The events that an edit of the scene changed.
     pub changed: BTreeSet<EventId>,
+    /// The events that a lesson marks.
+    pub marked: BTreeSet<EventId>,
     story: Story,
     plotted: Plotted,
     /// Whether the selection or the rows moved since the tree panel last scrolled to it.
@@ -82,6 +84,7 @@ impl Recording {
             by,
             probe_t: None,
             changed: BTreeSet::new(),
+            marked: BTreeSet::new(),
             story,
             plotted,
             selection_moved: true,
@@ -97,6 +100,12 @@ impl Recording {
             story.set_filter(filter, matches);
         });
         self
+    }
+
+    /// Origin and direction, where it is of a ray of its own and of no pixel.
+    #[must_use]
+    pub fn loose_ray(&self) -> Option<[DVec3; 2]> {
+        loose_ray(&self.tree)
     }
 
     /// How it is told: levels, rows, and where one stands.
@@ -147,6 +156,15 @@ impl Recording {
         self.change(|story| story.set_open(id, open));
         // Folding is no reason to scroll.
         self.selection_moved = before.1 || before.0 != self.selected();
+    }
+}
+
+/// Origin and direction, where a tree is of a ray of its own and of no pixel.
+#[must_use]
+pub fn loose_ray(tree: &RayTree) -> Option<[DVec3; 2]> {
+    match tree.events.first()?.what {
+        What::LooseRay { origin, direction } => Some([origin, direction].map(DVec3::from_array)),
+        _ => None,
     }
 }
 

@@ -153,6 +153,8 @@ impl Workbench {
 
     /// The same for a tree that was recorded elsewhere: the breakpoints are asked first.
     pub(in crate::app) fn show_elsewhere(&mut self, recording: Recording) {
+        // A pixel that was asked for before would take its place.
+        self.stepping.recorder.forget();
         self.stepping.breakpoints.ask(&recording.tree);
         let told = recording.told_as(self.stepping.level, self.stepping.filter.clone());
         self.show_recording(told);

@@ -93,6 +93,8 @@ struct Line {
     /// It is not looked for itself, but holds something that is.
     is_context: bool,
     is_stop: bool,
+    /// A lesson marks it.
+    is_marked: bool,
     /// What it tells of beside itself, in words.
     beside: Vec<String>,
     /// The same for the eye.
@@ -130,6 +132,7 @@ impl Line {
             depth: story.depth(id),
             is_context: is_guest || !story.shown().is_step(id),
             is_stop,
+            is_marked: false,
             beside,
             badge,
         }
@@ -149,6 +152,10 @@ fn show_row(ui: &mut Ui, recording: &Recording, id: EventId) -> Option<Asked> {
     let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width(), ROW), Sense::hover());
     let response = ui.interact(rect, ui.scope_id().with(("row", id)), Sense::click());
     let mut line = Line::of(ui.ctx(), recording.story(), id);
+    line.is_marked = recording.marked.contains(&id);
+    if line.is_marked {
+        line.beside.push(say(ui.ctx(), "lesson-marked"));
+    }
     if recording.changed.contains(&id) {
         line.row.numbers = format!("• {} {}", say(ui.ctx(), "edit-changed"), line.row.numbers);
     }
@@ -199,6 +206,10 @@ fn paint_row(ui: &Ui, rect: Rect, left: f32, line: &Line, hovered: bool) {
         painter.rect_filled(rect, 0.0, palette.hovered);
     }
     let middle = rect.center().y;
+    if line.is_marked {
+        let frame = rect.shrink2(vec2(1.0, 1.5));
+        painter.rect_stroke(frame, 3.0, Stroke::new(1.5, palette.accent), egui::StrokeKind::Inside);
+    }
     if line.is_stop {
         painter.circle_filled(pos2(rect.left() + 8.0, middle), 4.0, palette.problem);
     }

@@ -3,7 +3,7 @@
 use crate::cli::failure::Failure;
 use crate::cli::output::Output;
 use crate::cli::progress::{stopped_by_ctrl_c, with_bar};
-use crate::lesson::{Checked, Finding, Scenes, check_course, check_lesson};
+use crate::lesson::{Checked, check_course, check_in_course};
 use crate::lesson_folder::Lessons;
 use clap::Args;
 use std::fmt::Write;
@@ -33,16 +33,12 @@ impl Check {
     }
 }
 
-/// One lesson, with what was found when it was read.
+/// One lesson, with its links and what it needs.
 fn one(lessons: &Lessons, id: &str) -> Checked {
-    let lesson = lessons.course.lesson(id);
-    let mut checked =
-        lesson.map_or_else(Checked::default, |lesson| check_lesson(lesson, &Scenes::default(), &lessons.shelf));
-    let of_it = |finding: &&Finding| lesson.is_none_or(|lesson| lesson.file == finding.file);
-    checked.findings.extend(lessons.course.findings.iter().filter(of_it).cloned());
-    checked.findings.sort();
-    checked.findings.dedup();
-    checked
+    match lessons.course.lesson(id) {
+        Some(lesson) => check_in_course(lesson, &lessons.course, &lessons.shelf),
+        None => Checked { findings: lessons.course.findings.clone(), ..Checked::default() },
+    }
 }
 
 /// All lessons, with a bar.

@@ -4,7 +4,7 @@ mod course;
 mod questions;
 mod size;
 
-pub use course::check_course;
+pub use course::{check_course, check_in_course};
 
 use super::model::{Lesson, Part, Step};
 use super::place::{Finding, Place};
@@ -32,12 +32,15 @@ pub struct Checked {
 #[must_use]
 pub fn check_lesson(lesson: &Lesson, scenes: &Scenes, shelf: &dyn Shelf) -> Checked {
     let mut check = Check { lesson, scenes, shelf, checked: Checked::default() };
-    check.sizes();
     check.opening();
-    for step in &lesson.steps {
+    for step in lesson.steps.iter().filter(|step| step.is_whole) {
         check.step(step);
     }
-    check.ending();
+    // Of what could not be read it is not known how long it takes, and what it ends with.
+    if lesson.is_whole {
+        check.sizes();
+        check.ending();
+    }
     check.checked.findings.sort();
     check.checked.findings.dedup();
     check.checked
@@ -57,7 +60,7 @@ impl Check<'_> {
 
     /// The opening is about what the first step looks at.
     fn opening(&mut self) {
-        let Some(step) = self.lesson.steps.first() else { return };
+        let Some(step) = self.lesson.steps.first().filter(|step| step.is_whole) else { return };
         if let Ok(stage) = Stage::new(self.lesson, step, self.scenes, self.shelf) {
             stage.tell(&self.lesson.opening, &mut self.checked.findings);
         }
@@ -132,7 +135,7 @@ impl Check<'_> {
         match posed {
             Ok((posed, stage)) => check_answers(self, &posed, &stage, question.place),
             Err(findings) => {
-                let at = aim.at.map_or(String::new(), |at| format!("with the variant {at:?}: "));
+                let at = aim.at.map_or(String::new(), |at| format!("with the variant {at}: "));
                 let findings = findings
                     .into_iter()
                     .map(|finding| Finding { message: format!("{at}{}", finding.message), ..finding });

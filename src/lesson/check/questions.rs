@@ -18,7 +18,8 @@ pub(super) fn check_answers(check: &mut Check, posed: &Posed, stage: &Stage, pla
         Form::Choice(choices) => {
             let right = choices.iter().filter(|choice| choice.is_right).count();
             if right != 1 {
-                check.add(place, format!("exactly one choice is to be right, and here {right} are{}", aim(stage)));
+                let are = if right == 0 { "none is".to_owned() } else { format!("{right} are") };
+                check.add(place, format!("exactly one choice is to be right, and {are}{}", aim(stage)));
             }
             for (number, choice) in choices.iter().enumerate() {
                 let verdict = posed.judge(&Answer::Choice(number));
@@ -32,12 +33,12 @@ pub(super) fn check_answers(check: &mut Check, posed: &Posed, stage: &Stage, pla
             }
         }
         Form::Place(surface, reckoned) => clicks(check, posed, *surface, reckoned, stage, place),
-        Form::Edit(edit) => edits(check, posed, edit, stage, place),
+        Form::Edit(edit) => edits(check, posed, edit, stage),
     }
 }
 
 fn aim(stage: &Stage) -> String {
-    stage.aim.at.map_or(String::new(), |at| format!(" (traced: {at:?})"))
+    stage.aim.at.map_or(String::new(), |at| format!(" (traced: {at})"))
 }
 
 /// A right answer is accepted; a wrong one is refused, with what belongs to it.
@@ -105,23 +106,34 @@ fn clicks(check: &mut Check, posed: &Posed, surface: Surface, reckoned: &Reckone
     }
 }
 
-fn edits(check: &mut Check, posed: &Posed, edit: &PosedEdit, stage: &Stage, place: Place) {
-    let Edit { solution, wrong, .. } = &edit.edit;
-    let mut judge = |changes: &[Change], misconception: Option<usize>| match edited(check, stage, changes) {
-        Err(problem) => check.add(place, format!("{}: {problem}", named(misconception))),
-        Ok(edited) => match posed.judge_edit(&edited) {
-            Ok(verdict) => expect(check, &verdict, misconception, place, &edited),
-            Err(error) => check.add(place, format!("{}: {error}", named(misconception))),
-        },
-    };
-    judge(solution, None);
+fn edits(check: &mut Check, posed: &Posed, edit: &PosedEdit, stage: &Stage) {
+    let Edit { until, solution, wrong } = &edit.edit;
+    check.checked.answers += 1 + wrong.len();
+    match judged(check, posed, stage, solution) {
+        Ok(verdict) if verdict.is_right => {}
+        Ok(_) => check.add(until.place, "the solution does not do what `until` asks"),
+        Err(problem) => check.add(until.place, format!("the solution: {problem}")),
+    }
     for (number, wrong) in wrong.iter().enumerate() {
-        judge(&wrong.change, Some(number));
+        let problem = match judged(check, posed, stage, &wrong.change) {
+            Ok(verdict) if verdict.is_right => "this wrong change does what `until` asks".to_owned(),
+            Ok(verdict) if verdict.misconception == Some(number) => continue,
+            Ok(verdict) => match verdict.misconception {
+                Some(other) => format!(
+                    "what belongs to this wrong change is never said: the `when` of wrong change {} holds of it, too",
+                    other + 1
+                ),
+                None => "what belongs to this wrong change is never said: its `when` does not hold of it".to_owned(),
+            },
+            Err(problem) => format!("this wrong change: {problem}"),
+        };
+        check.add(wrong.when.place, problem);
     }
 }
 
-fn named(misconception: Option<usize>) -> String {
-    misconception.map_or("the solution".to_owned(), |number| format!("the wrong change {}", number + 1))
+fn judged(check: &Check, posed: &Posed, stage: &Stage, changes: &[Change]) -> Result<Verdict, String> {
+    let edited = edited(check, stage, changes)?;
+    posed.judge_edit(&edited).map_err(|error| error.to_string())
 }
 
 fn edited(check: &Check, stage: &Stage, changes: &[Change]) -> Result<Stage, String> {

@@ -121,6 +121,11 @@ fn field_of(node: &Node, of: &Node, field: &str, known: &dyn Known) -> Result<Va
         (value, None) => value?,
     };
     if let Value::Trace(trace) = &value {
+        if field == "event" {
+            let message =
+                format!("only the step has an event of its own: ask the trace, as in `{trace}.first(\"hit\")`");
+            return Err(node.error(message));
+        }
         return first(node, Some(trace), field, known);
     }
     value.field(field).ok_or_else(|| {

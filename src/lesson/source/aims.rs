@@ -34,12 +34,16 @@ impl Site<'_, '_> {
             // A step says all of its changes; only further traces and variants add to them.
             aim.changes = self.changes(file.change.as_deref().unwrap_or_default());
         }
+        let event = file.event.as_ref().and_then(|text| self.query(text));
+        let names: Vec<_> =
+            file.names.iter().filter_map(|(name, text)| Some((name.clone(), self.expression(text)?))).collect();
         let also = file.also.iter().map(|(name, also)| (name.clone(), self.also(also, &aim))).collect();
         let variants = file.variants.iter().map(|variant| self.variant(variant, &aim)).collect();
         Step {
             title,
             place: self.place(),
-            event: file.event.as_ref().and_then(|text| self.query(text)),
+            is_whole: !aim.is_lost && event.is_some() == file.event.is_some() && names.len() == file.names.len(),
+            event,
             level: match file.level {
                 Some(LevelFile::Working) => Level::Working,
                 Some(LevelFile::Everything) => Level::Everything,
@@ -49,7 +53,7 @@ impl Site<'_, '_> {
             after: file.after.iter().filter_map(|name| self.view(name)).collect(),
             highlight: file.highlight.iter().filter_map(|text| self.query(text)).collect(),
             t: file.t.as_ref().and_then(|text| self.expression(text)),
-            names: file.names.iter().filter_map(|(name, text)| Some((name.clone(), self.expression(text)?))).collect(),
+            names,
             also,
             variants,
             parts: Vec::new(),
@@ -75,9 +79,14 @@ impl Site<'_, '_> {
     }
 
     fn aim(&mut self, keys: &Keys, before: &Aim) -> Aim {
-        let mut aim = Aim { place: self.place(), ..before.clone() };
+        let mut aim = before.clone();
         if let Some(scene) = keys.scene {
-            aim = Aim { scene: scene.get_ref().clone(), place: self.place_of(scene), ..Aim::default() };
+            aim = Aim { scene: scene.get_ref().clone(), ..Aim::default() };
+        }
+        // What is taken over stays where it was said, so that what is wrong with it is told once.
+        let says = keys.scene.is_some() || keys.change.is_some() || keys.pixel.is_some() || keys.ray.is_some();
+        if says || aim.scene.is_empty() {
+            aim.place = self.place();
         }
         aim.changes.extend(self.changes(keys.change.unwrap_or_default()));
         match (keys.pixel, keys.ray) {

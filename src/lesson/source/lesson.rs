@@ -3,7 +3,7 @@
 use super::blocks::{HeaderFile, SlipFile, StepFile, TableFile, Text};
 use super::markdown::{self, parts, read_prose};
 use crate::lesson::expression::{Expression, Format};
-use crate::lesson::model::{Column, Header, Lesson, Part, Sited, Slip, Step, Table, first_line};
+use crate::lesson::model::{Aim, Column, Header, Lesson, Part, Sited, Slip, Step, Table, first_line};
 use crate::lesson::place::{Finding, Findings, Place};
 use crate::lesson::prose::{Prose, Reference};
 use serde::de::DeserializeOwned;
@@ -36,8 +36,15 @@ impl Reader<'_, '_> {
     fn lesson(&mut self, id: &str, file: &str) -> Option<Lesson> {
         let (header, body) = self.header()?;
         let all = parts(&self.text[body..], body, self.findings);
-        let mut lesson =
-            Lesson { id: id.to_owned(), file: file.to_owned(), header, opening: Vec::new(), steps: Vec::new() };
+        let mut lesson = Lesson {
+            id: id.to_owned(),
+            file: file.to_owned(),
+            header,
+            opening: Vec::new(),
+            steps: Vec::new(),
+            links: Vec::new(),
+            is_whole: false,
+        };
         let mut title: Option<(String, usize)> = None;
         for part in all {
             match part {
@@ -72,6 +79,8 @@ impl Reader<'_, '_> {
         if lesson.steps.is_empty() {
             self.findings.add(body, "there are no steps: begin the first one with `## ` and its title");
         }
+        lesson.links = self.findings.take_links();
+        lesson.is_whole = self.findings.is_clean();
         Some(lesson)
     }
 
@@ -86,7 +95,9 @@ impl Reader<'_, '_> {
 
     fn step(&mut self, lesson: &mut Lesson, title: String, range: Range<usize>, offset: usize) {
         let before = lesson.steps.last().map(|step| step.aim.clone()).unwrap_or_default();
-        let file: StepFile = self.toml(range.clone()).unwrap_or_default();
+        let read = self.toml(range.clone());
+        let before = Aim { is_lost: before.is_lost || read.is_none(), ..before };
+        let file: StepFile = read.unwrap_or_default();
         let mut site = Site { base: range.start, offset, text: self.text, findings: self.findings };
         let step = site.step(&file, title, &before);
         lesson.steps.push(step);
@@ -176,7 +187,14 @@ impl Reader<'_, '_> {
             Ok(file) => Some(file),
             Err(error) => {
                 let at = error.span().map_or(0, |span| span.start);
-                self.findings.add(range.start + at, error.message().to_owned());
+                let message = error.message();
+                // What TOML calls an escape is LaTeX's backslash.
+                let help = if message.contains("escape") {
+                    "; double the backslash, or put the text between single quotes"
+                } else {
+                    ""
+                };
+                self.findings.add(range.start + at, format!("{message}{help}"));
                 None
             }
         }
@@ -206,6 +224,10 @@ impl Site<'_, '_> {
 
     /// A text of the block as Markdown.
     pub fn prose(&mut self, text: &Text) -> Prose<Reference> {
+        if text.get_ref().contains(|c: char| c.is_control() && c != '\n') {
+            let message = "a backslash and a letter make a control character here, as in `\\theta`: double the backslash, or put the text between single quotes";
+            self.add_to(text, message);
+        }
         let written = &self.text[self.base + text.span().start..self.base + text.span().end];
         let quotes = if written.starts_with("\"\"\"") || written.starts_with("'''") { 3 } else { 1 };
         // Where nothing was escaped the text stands in the file as it is, and its places are exact.

@@ -232,7 +232,10 @@ impl<'r, 'f> Reader<'r, 'f> {
             Event::Start(Tag::Link { link_type, dest_url, .. }) => {
                 let words = self.line(events, TagEnd::Link);
                 match target(&dest_url) {
-                    Some(target) if link_type == LinkType::Inline => line.push(Inline::Link(target, words)),
+                    Some(target) if link_type == LinkType::Inline => {
+                        self.findings.keep_link(self.base + range.start, target.clone());
+                        line.push(Inline::Link(target, words));
+                    }
                     _ => {
                         let message =
                             format!("`{dest_url}` leads nowhere: links begin with `term:`, `lesson:` or `source:`");
@@ -255,6 +258,10 @@ impl<'r, 'f> Reader<'r, 'f> {
                 "`{number}` is a typed number: say where it comes from, as in {{{{hit.t}}}}, or write it in words"
             );
             self.findings.add(self.base + offset + at.min(text.len()), message);
+        }
+        if let Some(at) = text.find('$') {
+            self.findings
+                .add(self.base + offset + at, "this `$` begins no formula: it is not closed, or a space follows it");
         }
         for piece in Masked::pieces(text) {
             match (piece, line.last_mut()) {

@@ -18,7 +18,7 @@ impl Site<'_, '_> {
             KindFile::Number => QuestionKind::Number(self.quantity(file)?),
             KindFile::Time => QuestionKind::Time(self.quantity(file)?),
             KindFile::Intervals => QuestionKind::Intervals(self.quantity(file)?),
-            KindFile::Choice => QuestionKind::Choice(self.choices(&file.choice)?),
+            KindFile::Choice => QuestionKind::Choice(self.choices(&file.choice, !file.wrong.is_empty())?),
             KindFile::Order => self.order(file)?,
             KindFile::Place => QuestionKind::Place { surface: self.surface(file)?, quantity: self.quantity(file)? },
             KindFile::Edit => QuestionKind::Edit(self.edit(file)?),
@@ -50,7 +50,10 @@ impl Site<'_, '_> {
         })
     }
 
-    fn choices(&mut self, files: &[ChoiceFile]) -> Option<Vec<Choice>> {
+    fn choices(&mut self, files: &[ChoiceFile], has_wrong: bool) -> Option<Vec<Choice>> {
+        if has_wrong {
+            self.add("a choice has no `[[wrong]]`: each wrong `[[choice]]` has its own `because`");
+        }
         if files.len() < 2 {
             self.add("a choice needs two `[[choice]]` at least");
             return None;

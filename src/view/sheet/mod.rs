@@ -100,14 +100,14 @@ impl Sheet {
     /// column, and what is left of the column below the facts.
     pub fn facts(&mut self, room: Frame, facts: &[Fact]) -> (Frame, Option<Frame>) {
         /// A narrower column would cut most facts off; beside a narrower drawing nothing could be told.
-        const NARROWEST: [f64; 2] = [110.0, 170.0];
+        const NARROWEST: [f64; 2] = [110.0, 150.0];
         for fact in facts {
             self.tell(fact.text());
         }
         let wanted =
             facts.iter().map(|fact| fact.indent() + text_width(fact.text(), TEXT, Face::Sans)).fold(0.0, f64::max);
-        // As wide as is wanted, if that leaves enough beside it, up to a half.
-        let most = (0.4 * room.size()[0]).max((room.size()[0] - NARROWEST[1] - 16.0).min(0.5 * room.size()[0]));
+        // As wide as is wanted, if that leaves enough beside it.
+        let most = (0.4 * room.size()[0]).max((room.size()[0] - NARROWEST[1] - 16.0).min(0.55 * room.size()[0]));
         let width = wanted.min(most);
         if width < NARROWEST[0].min(wanted) || room.size()[0] - width < NARROWEST[1] {
             return (room, None);

@@ -86,8 +86,9 @@ fn drawn(
         plot.curve(&with_roots(&samples, roots));
         plot.strip(signs);
         plot.probe();
-        plot.roots(roots);
         plot.start();
+        plot.roots(roots);
+        plot.start_name();
         plot.extent_name(extent);
         plot.values();
     }
@@ -304,6 +305,14 @@ impl Plot {
         let (x, [bottom, top]) = (self.t.at(0.0), self.d.points);
         let stroke = Stroke::solid(self.palette.ink, 1.2);
         self.drawing.put(Form::Line { points: vec![[x, top], [x, bottom]], stroke }, None);
+        self.placer.avoid_line([x, top], [x, bottom]);
+    }
+
+    fn start_name(&mut self) {
+        if !self.t.shows(0.0) {
+            return;
+        }
+        let (x, top) = (self.t.at(0.0), self.d.points[1]);
         let label = Label::new("the ray starts", SMALL, self.palette.ink);
         for (side, anchor) in [(4.0, Anchor::Start), (-4.0, Anchor::End)] {
             let text = label.at([x + side, top + 6.0], anchor, Some(self.palette.ground));

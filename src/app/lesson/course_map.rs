@@ -1,0 +1,108 @@
+//! The course as a map: what a lesson needs stands to the left of it.
+
+use super::course_list::{Stand, stand, tools};
+use super::pane::{LessonPane, Wish};
+use crate::app::frame::empty::empty;
+use crate::app::frame::theme::{PADDING, Palette};
+use crate::app::frame::words::say;
+use crate::lesson::{Course, Lesson};
+use egui::{
+    Color32, FontId, Frame, Margin, Pos2, Rect, Role, ScrollArea, Sense, Stroke, StrokeKind, Ui, Vec2, WidgetInfo, vec2,
+};
+use std::collections::BTreeMap;
+
+/// The size of a lesson on the map, in points.
+const BOX: Vec2 = Vec2::new(138.0, 40.0);
+/// From one column and one row to the next, in points.
+const PITCH: Vec2 = Vec2::new(170.0, 50.0);
+
+/// Shows the map; returns the lesson that was chosen.
+pub fn ui(ui: &mut Ui, pane: &mut LessonPane) -> Option<Wish> {
+    let Some(lessons) = pane.lessons().cloned() else {
+        empty(ui, &say(ui.ctx(), "lesson-reading"));
+        return None;
+    };
+    let course = &lessons.course;
+    let mut wish = None;
+    ScrollArea::both().id_salt("map").auto_shrink(false).show(ui, |ui| {
+        Frame::new().inner_margin(Margin::same(PADDING)).show(ui, |ui| {
+            tools(ui, pane, course);
+            let places = places(course);
+            let size = places.values().fold(Vec2::ZERO, |size, place| size.max(*place + BOX)) + Vec2::splat(8.0);
+            let (whole, _) = ui.allocate_exact_size(size, Sense::hover());
+            let rect_of = |id: &str| places.get(id).map(|place| Rect::from_min_size(whole.min + *place, BOX));
+            let hovered = course
+                .lessons
+                .iter()
+                .find(|lesson| rect_of(&lesson.id).is_some_and(|rect| ui.rect_contains_pointer(rect)));
+            for lesson in &course.lessons {
+                lines(ui, lesson, hovered, &rect_of);
+            }
+            for lesson in &course.lessons {
+                let Some(rect) = rect_of(&lesson.id) else { continue };
+                if node(ui, rect, lesson, stand(&pane.progress, &lesson.id)) {
+                    wish = Some(Wish::Open(lesson.id.clone()));
+                }
+            }
+        });
+    });
+    wish
+}
+
+/// Where each lesson lies: in its column, below those that come before it.
+fn places(course: &Course) -> BTreeMap<&str, Vec2> {
+    let columns = course.columns();
+    let mut rows: BTreeMap<usize, usize> = BTreeMap::new();
+    let mut places = BTreeMap::new();
+    for lesson in &course.lessons {
+        let column = columns.get(lesson.id.as_str()).copied().unwrap_or_default();
+        let row = rows.entry(column).or_default();
+        places.insert(lesson.id.as_str(), vec2(column as f32 * PITCH.x, *row as f32 * PITCH.y));
+        *row += 1;
+    }
+    places
+}
+
+/// From what a lesson needs to the lesson.
+fn lines(ui: &Ui, lesson: &Lesson, hovered: Option<&Lesson>, rect_of: &dyn Fn(&str) -> Option<Rect>) {
+    let palette = Palette::current(ui.ctx());
+    for need in &lesson.header.needs {
+        let (Some(from), Some(to)) = (rect_of(&need.value), rect_of(&lesson.id)) else { continue };
+        let is_lit = hovered.is_some_and(|hovered| hovered.id == lesson.id || hovered.id == need.value);
+        let stroke = if is_lit { Stroke::new(2.0, palette.accent) } else { Stroke::new(1.0, palette.edge) };
+        let (start, end): (Pos2, Pos2) = (from.right_center(), to.left_center());
+        let bend = vec2((end.x - start.x).max(20.0) / 2.0, 0.0);
+        let points = [start, start + bend, end - bend, end];
+        ui.painter().add(egui::epaint::CubicBezierShape::from_points_stroke(
+            points,
+            false,
+            Color32::TRANSPARENT,
+            stroke,
+        ));
+    }
+}
+
+/// Shows a lesson; returns whether it was chosen.
+fn node(ui: &Ui, rect: Rect, lesson: &Lesson, stand: Stand) -> bool {
+    let palette = Palette::current(ui.ctx());
+    let response = ui.interact(rect, ui.scope_id().with(("map", &lesson.id)), Sense::click());
+    let name = format!("{}, {}", lesson.header.title, say(ui.ctx(), stand.word()));
+    response.widget_info(|| WidgetInfo::labeled(Role::Button, true, &name));
+    let fill = if response.hovered() { palette.hovered } else { palette.header };
+    let is_marked = response.has_focus() || stand == Stand::Done;
+    let edge = if is_marked { Stroke::new(1.5, palette.accent) } else { Stroke::new(1.0, palette.edge) };
+    ui.painter().rect(rect, 5.0, fill, edge, StrokeKind::Inside);
+    let text = format!("{} {}", stand.sign(), lesson.header.title);
+    let mut job = egui::text::LayoutJob::simple(text, FontId::proportional(11.5), palette.text, rect.width() - 12.0);
+    job.wrap.max_rows = 2;
+    let galley = ui.ctx().fonts_mut(|fonts| fonts.layout_job(job));
+    let at = egui::pos2(rect.left() + 6.0, rect.center().y - galley.size().y / 2.0);
+    ui.painter().galley(at, galley, palette.text);
+    response
+        .on_hover_ui(|ui| {
+            ui.set_max_width(300.0);
+            ui.strong(&lesson.header.title);
+            ui.label(&lesson.header.idea);
+        })
+        .clicked()
+}
