@@ -67,7 +67,7 @@ impl Teller<'_> {
 }
 
 /// Links the terms where they first stand in the whole step, not once in each of its parts.
-fn link_once(
+pub fn link_once(
     opening: Prose<Told>,
     mut parts: Vec<ToldPart>,
     linked: impl Fn(Prose<Told>) -> Prose<Told>,
