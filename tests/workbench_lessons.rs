@@ -38,22 +38,23 @@ fn open_lessons<'a>(lessons: Lessons) -> Bench<'a> {
     bench
 }
 
-fn template() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("lessons/template")
+/// A short lesson on the bowl, for these tests alone.
+fn bowl() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/workbench_lesson/01_bowl")
 }
 
-/// A copy of the template that can be written in.
-fn copy_of_template() -> (tempfile::TempDir, PathBuf) {
+/// A copy of it that can be written in.
+fn copy_of_bowl() -> (tempfile::TempDir, PathBuf) {
     let folder = tempfile::tempdir().expect("there is room for a file");
     let lesson = folder.path().join("01_bowl");
     fs::create_dir(&lesson).expect("the folder is new");
     let file = lesson.join("lesson.md");
-    fs::copy(template().join("lesson.md"), &file).expect("the template can be read");
+    fs::copy(bowl().join("lesson.md"), &file).expect("it can be read");
     (folder, file)
 }
 
-fn open_template<'a>() -> Bench<'a> {
-    open_lessons(Lessons::named(&template().display().to_string()).expect("the template is a lesson"))
+fn open_bowl<'a>() -> Bench<'a> {
+    open_lessons(Lessons::named(&bowl().display().to_string()).expect("it is a lesson"))
 }
 
 fn press_button(bench: &mut Bench, name: &str) {
@@ -384,7 +385,7 @@ fn every_lesson_is_walked_through_fourth_part() {
 
 #[test]
 fn a_step_shows_its_ray_its_event_and_its_drawings() {
-    let mut bench = open_template();
+    let mut bench = open_bowl();
     assert_eq!(workbench(&bench).dock().preset(), Preset::Lesson);
     assert_eq!(workbench(&bench).scene().expect("open").name, "csg/bowl");
     assert_eq!(pixel(&bench), [333, 150]);
@@ -400,7 +401,7 @@ fn a_step_shows_its_ray_its_event_and_its_drawings() {
 
 #[test]
 fn a_click_on_a_value_selects_its_event() {
-    let mut bench = open_template();
+    let mut bench = open_bowl();
     let hit = selected(&bench);
     workbench_mut(&mut bench).select(0);
     settle(&mut bench);
@@ -417,7 +418,7 @@ fn a_click_on_a_value_selects_its_event() {
 
 #[test]
 fn nothing_blocks_the_way_on_or_back() {
-    let mut bench = open_template();
+    let mut bench = open_bowl();
     go_on(&mut bench, "Next step");
     assert_eq!(step_of(&bench), 1);
     go_on(&mut bench, "Skip step");
@@ -434,7 +435,7 @@ fn nothing_blocks_the_way_on_or_back() {
 
 #[test]
 fn hints_come_one_by_one_and_the_answer_is_shown_on_request() {
-    let mut bench = open_template();
+    let mut bench = open_bowl();
     command(&mut bench, LessonCommand::Next);
     assert!(!is_said(&bench, "Look at the interval lists"));
     command(&mut bench, LessonCommand::Hint);
@@ -447,7 +448,7 @@ fn hints_come_one_by_one_and_the_answer_is_shown_on_request() {
 
 #[test]
 fn the_answer_to_a_change_is_made_in_the_scene_and_can_be_taken_back() {
-    let mut bench = open_template();
+    let mut bench = open_bowl();
     go_to_the_end(&mut bench);
     let before = editing::text(&bench);
     command(&mut bench, LessonCommand::Reveal);
@@ -459,12 +460,12 @@ fn the_answer_to_a_change_is_made_in_the_scene_and_can_be_taken_back() {
 
 #[test]
 fn a_change_is_judged_as_soon_as_the_scene_follows_it() {
-    let mut bench = open_template();
+    let mut bench = open_bowl();
     go_to_the_end(&mut bench);
     let before = editing::text(&bench);
     write_scene(&mut bench, &before.replacen("\"field_of_view\": 31", "\"field_of_view\": 36", 1));
     wait_until(&mut bench, "the verdict", |bench| is_said(bench, "The ray still hits the bowl."));
-    let lesson = Lessons::named(&template().display().to_string()).expect("it is a lesson");
+    let lesson = Lessons::named(&bowl().display().to_string()).expect("it is a lesson");
     let step = lesson.course.lessons[0].steps.last().expect("it has steps");
     let (stage, posed) = posed_in(&lesson.course.lessons[0], step, &lesson, &Scenes::default());
     let Form::Edit(edit) = &posed[0].form else { panic!("the last question asks for a change") };
@@ -474,7 +475,7 @@ fn a_change_is_judged_as_soon_as_the_scene_follows_it() {
 
 #[test]
 fn unsaved_changes_are_asked_about_before_a_step_opens_its_scene() {
-    let mut bench = open_template();
+    let mut bench = open_bowl();
     let mine = editing::text(&bench).replacen("\"field_of_view\": 31", "\"field_of_view\": 36", 1);
     write_scene(&mut bench, &mine);
     press_button(&mut bench, "Next step");
@@ -491,13 +492,13 @@ fn unsaved_changes_are_asked_about_before_a_step_opens_its_scene() {
 
 #[test]
 fn progress_is_kept_written_read_and_forgotten() {
-    let mut bench = open_template();
+    let mut bench = open_bowl();
     command(&mut bench, LessonCommand::Next);
     command(&mut bench, LessonCommand::Reveal);
     let kept = workbench(&bench).keep();
     let mut next = open_at("hello/sphere", SIZE);
     workbench_mut(&mut next).take_up(&kept);
-    workbench_mut(&mut next).use_lessons(Lessons::named(&template().display().to_string()).expect("a lesson"));
+    workbench_mut(&mut next).use_lessons(Lessons::named(&bowl().display().to_string()).expect("a lesson"));
     ready(&mut next);
     assert_eq!(step_of(&next), 1);
     assert!(is_said(&next, "answer shown"));
@@ -514,7 +515,7 @@ fn progress_is_kept_written_read_and_forgotten() {
 
 #[test]
 fn a_lesson_on_disk_is_read_anew_when_it_is_saved() {
-    let (_folder, file) = copy_of_template();
+    let (_folder, file) = copy_of_bowl();
     let mut bench = open_lessons(Lessons::named(&file.display().to_string()).expect("a lesson"));
     command(&mut bench, LessonCommand::Next);
     let text = fs::read_to_string(&file).expect("it was just copied");
@@ -533,7 +534,7 @@ fn a_lesson_on_disk_is_read_anew_when_it_is_saved() {
 
 #[test]
 fn terms_tell_what_they_mean_and_links_lead_to_other_lessons() {
-    let (folder, file) = copy_of_template();
+    let (folder, file) = copy_of_bowl();
     let other = folder.path().join("02_other");
     fs::create_dir(&other).expect("the folder is new");
     fs::copy(&file, other.join("lesson.md")).expect("it can be copied");
@@ -558,7 +559,7 @@ fn terms_tell_what_they_mean_and_links_lead_to_other_lessons() {
 
 #[test]
 fn the_keyboard_alone_goes_through_a_lesson() {
-    let mut bench = open_template();
+    let mut bench = open_bowl();
     bench.key_press_modifiers(Modifiers::COMMAND, Key::PageDown);
     ready(&mut bench);
     assert_eq!(step_of(&bench), 1);
