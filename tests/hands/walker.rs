@@ -115,18 +115,15 @@ impl Walker<'_, '_> {
     fn expect(&mut self, number: usize, because: Option<&Prose<Told>>) {
         self.answers += 1;
         let at = format!("{}, question {number}", self.at);
-        match because {
-            Some(because) => {
-                assert!(is_said(self.bench, "✗ Not right."), "{at}: a wrong answer is taken");
-                if let Some(words) = words_of(because) {
-                    assert!(is_said(self.bench, &words), "{at}: `{words}` is not said");
-                }
-            }
-            None => {
-                // The questions before it are answered already.
-                let answered = self.bench.query_all_by_label_contains("✓ answered").count();
-                assert_eq!(answered, number, "{at}: the right answer is refused");
-            }
+        let Some(because) = because else {
+            // The questions before it are answered already.
+            let answered = self.bench.query_all_by_label_contains("✓ answered").count();
+            assert_eq!(answered, number, "{at}: the right answer is refused");
+            return;
+        };
+        assert!(is_said(self.bench, "✗ Not right."), "{at}: a wrong answer is taken");
+        if let Some(words) = words_of(because) {
+            assert!(is_said(self.bench, &words), "{at}: `{words}` is not said");
         }
     }
 
@@ -166,7 +163,7 @@ impl Walker<'_, '_> {
     fn order(
         &mut self,
         items: &[Line<Told>],
-        now: &mut Vec<usize>,
+        now: &mut [usize],
         wanted: &[usize],
         number: usize,
         because: Option<&Prose<Told>>,
