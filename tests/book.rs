@@ -46,27 +46,96 @@ fn course() -> &'static Made {
     MADE.get_or_init(|| Made::of(&Lessons::embedded()))
 }
 
-/// A folder of lessons that holds a copy of the template and nothing else.
+/// A lesson in which everything that a page may hold is there once.
+const BOWL: &str = r#"+++
+title = "A ray through the bowl"
+section = "6.5.1"
+minutes = 5
+needs = []
+idea = "The first hit with a part need not be a hit with the whole."
++++
+
+The bowl is a [compound](term:compound): two balls and a cone.
+
+## A worked example
+
+```step
+scene = "csg/bowl"
+pixel = [333, 150]
+event = "hit"
+views = ["side", "intervals"]
+after = ["signs"]
+```
+
+The ray hits {{hit.object}} at $t = {{hit.t}}$, on *the surface* of {{hit.leaf}}:
+
+$$t_{\mathrm{hit}} = \frac{ {{2 * hit.t}} }{2}$$
+
+```table
+of = "all('rejected')"
+columns = [{ head = "part", cell = "item.leaf" }, { head = "$t$", cell = "item.t", format = "4" }]
+```
+
+```slip
+printed = "The first hit with a *part* is what is seen."
+right = "The first hit with the *whole* is."
+shown = "rejected.t < hit.t"
+```
+
+```question
+kind = "choice"
+ask = "Why is the hit at $t = {{rejected.t}}$ not the one that is seen?"
+hints = ["Look at the interval lists of the whole tree."]
+[[choice]]
+text = "The point lies in what is taken away."
+right = "rejected.t < hit.t"
+because = "There the boundary of a part is none of the whole."
+[[choice]]
+text = "The point lies behind the eye."
+because = "Its time is positive, so it lies in front."
+```
+
+## Now you
+
+```step
+event = "hit"
+```
+
+Another story.
+
+```question
+kind = "edit"
+ask = "Turn the camera away, until the ray misses the bowl."
+until = "pixel & !has(hit=bowl)"
+solution = [{ at = "camera.look_at", to = [40, 0, 0] }]
+```
+"#;
+
+/// A folder of two lessons: the one above and a copy of the template.
 fn own_lessons() -> tempfile::TempDir {
     let folder = tempfile::tempdir().unwrap();
-    fs::create_dir(folder.path().join("01_bowl")).unwrap();
     let template = Path::new(env!("CARGO_MANIFEST_DIR")).join("lessons/template/lesson.md");
-    fs::copy(template, folder.path().join("01_bowl/lesson.md")).unwrap();
+    for (name, text) in [("01_bowl", BOWL), ("02_template", &fs::read_to_string(template).unwrap())] {
+        fs::create_dir(folder.path().join(name)).unwrap();
+        fs::write(folder.path().join(name).join("lesson.md"), text).unwrap();
+    }
+    fs::write(folder.path().join("glossary.md"), "## compound\n\nA solid that is made of solids.\n").unwrap();
     folder
 }
 
-fn template() -> &'static Made {
+/// The book of that folder.
+fn own() -> &'static Made {
     static MADE: OnceLock<Made> = OnceLock::new();
     MADE.get_or_init(|| Made::of(&Lessons::named(own_lessons().path().to_str().unwrap()).unwrap()))
 }
 
-/// The page of the template.
+/// The page of the lesson above.
 fn bowl() -> &'static str {
-    template().text("lessons/01_bowl.html")
+    own().text("lessons/01_bowl.html")
 }
 
 fn both() -> [&'static Made; 2] {
-    [course(), template()]
+    [course(), own()]
 }
 
 /// The values of an attribute, wherever it stands in a page.
@@ -172,10 +241,9 @@ fn all_values_are_put_in_and_all_formulas_are_set() {
         }
     }
     let page = bowl();
-    assert!(
-        page.contains("<svg class=\"formula\" role=\"img\" aria-label=\"t equals 8.36646\""),
-        "the template's first formula"
-    );
+    let formula = "<svg class=\"formula\" role=\"img\" aria-label=";
+    assert!(page.contains(&format!("{formula}\"t equals 8.36646\"")));
+    assert!(page.contains(&format!("<div class=\"formula-line\" tabindex=\"0\">{formula}\"t sub hit equals ")));
 }
 
 #[test]
@@ -196,7 +264,7 @@ fn a_step_shows_its_drawings_its_picture_and_the_whole_story_of_its_ray() {
     let page = bowl();
     assert!(page.contains("<svg class=\"picture\" viewBox=\"0 0 640 480\""));
     assert!(page.contains("<circle cx=\"333.5\" cy=\"150.5\""), "the pixel that is looked at is marked");
-    assert_eq!(page.matches("<figure class=\"drawing\">").count(), 2, "side and intervals");
+    assert_eq!(page.matches("<figure class=\"drawing\">").count(), 3, "side, intervals, and with the answers signs");
     assert!(page.contains("href=\"rayscope:csg/bowl?pixel=333,150&amp;event="));
     assert!(page.contains("<code>rayscope trace csg/bowl --pixel 333,150</code>"));
     assert_eq!(
@@ -208,10 +276,21 @@ fn a_step_shows_its_drawings_its_picture_and_the_whole_story_of_its_ray() {
 }
 
 #[test]
+fn what_gives_an_answer_away_is_folded_and_a_slip_is_set_apart() {
+    let page = bowl();
+    let (before, after) = page.split_once("<details><summary>Answer</summary>").unwrap();
+    assert!(!before.contains("There the boundary of a part") && after.contains("There the boundary of a part"));
+    let (_, after) = page.split_once("<summary>Drawings that show the answers</summary>").unwrap();
+    assert!(after.contains("Where the ray is outside and inside"));
+    assert!(page.contains("<aside class=\"slip\">") && page.contains("<code>rejected.t &lt; hit.t</code>"));
+    assert!(page.contains("<a class=\"term\" href=\"../glossary.html#term-compound\">compound</a>"));
+}
+
+#[test]
 fn a_drawing_has_the_colours_of_light_and_dark_by_one_picture() {
     let page = bowl();
     assert!(page.contains("fill=\"var(--c") && !page.contains("class=\"dark\""));
-    assert!(page.contains("@media screen and (prefers-color-scheme:dark){:root{--c0:#"));
+    assert!(page.contains("@media screen and (prefers-color-scheme:dark){:root{--c"));
 }
 
 #[test]
@@ -227,7 +306,7 @@ fn the_search_knows_every_step() {
 #[test]
 fn the_same_lessons_give_the_same_bytes() {
     let again = Made::of(&Lessons::named(own_lessons().path().to_str().unwrap()).unwrap());
-    assert_eq!(again.files, template().files);
+    assert_eq!(again.files, own().files);
 }
 
 #[test]

@@ -266,7 +266,7 @@ fn the_embedded_scenes_are_listed_with_their_titles() {
 
 #[test]
 fn every_command_shows_examples() {
-    for name in ["open", "render", "trace", "probe", "export", "scenes", "schema", "stability", "bench"] {
+    for name in ["open", "render", "trace", "probe", "export", "scenes", "schema", "stability", "bench", "book"] {
         assert!(printed(&[name, "--help"]).contains("Examples:\n  "), "{name}");
     }
     assert!(printed(&["--help"]).contains("Exit codes:"));

@@ -159,11 +159,11 @@ fn unknown_things_are_named_with_what_is_meant() {
 
 #[test]
 fn a_lesson_that_ends_without_a_change_fails() {
-    says(
-        "kind = \"edit\"",
-        "kind = \"number\"\nanswer = \"hit.t\"",
-        "the last step ends with a question of the kind `edit`",
-    );
+    let text = fs::read_to_string(root().join("lessons/template/lesson.md")).expect("the template is there");
+    let (lesson, findings) = read("01_longer", "lesson.md", &(text + "\n## One more\n\nNothing is changed here.\n"));
+    assert_eq!(findings, []);
+    let checked = check_lesson(&lesson.expect("it was read"), &Scenes::default(), &NoShelf);
+    assert!(wrong(&checked).contains("the last step ends with a question of the kind `edit`"), "{}", wrong(&checked));
 }
 
 #[test]

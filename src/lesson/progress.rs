@@ -58,8 +58,9 @@ pub struct Record {
 #[derive(Serialize, Deserialize)]
 struct File {
     format: String,
-    #[serde(flatten)]
-    progress: Progress,
+    /// Not flattened: the numbers of questions would then be read as texts, and refused.
+    #[serde(default)]
+    lessons: BTreeMap<String, LessonProgress>,
 }
 
 impl Progress {
@@ -71,7 +72,7 @@ impl Progress {
     /// As it is written to a file.
     #[must_use]
     pub fn to_json(&self) -> String {
-        let file = File { format: FORMAT.to_owned(), progress: self.clone() };
+        let file = File { format: FORMAT.to_owned(), lessons: self.lessons.clone() };
         // Names and numbers cannot fail to be written.
         serde_json::to_string_pretty(&file).unwrap_or_default() + "\n"
     }
@@ -86,7 +87,7 @@ impl Progress {
         if file.format != FORMAT {
             return Err(format!("the format is `{}`, and `{FORMAT}` can be read", file.format));
         }
-        Ok(file.progress)
+        Ok(Self { lessons: file.lessons })
     }
 }
 

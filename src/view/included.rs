@@ -1,18 +1,23 @@
 //! A drawing within another.
 
-use super::drawing::{Drawing, Form, Frame, Mark, Spot, Text};
+use super::drawing::{Drawing, Form, Frame, Mark, Spot, Stroke, Text};
 use super::labels::clip;
 
 impl Drawing {
     /// Adds all that another drawing shows, with its left top corner at `at`, on its own ground. What lies beyond its edges stays
     /// hidden: areas and lines are cut off there.
     pub fn include(&mut self, other: &Self, at: Spot) {
+        self.include_scaled(other, at, 1.0);
+    }
+
+    /// The same with the other drawing so many times as large.
+    pub fn include_scaled(&mut self, other: &Self, at: Spot, scale: f64) {
         let frame = other.frame();
         let ground = Form::Rect { frame, fill: Some(other.background), stroke: None };
-        self.put(moved(&ground, at), None);
+        self.put(placed(&ground, at, scale), None);
         for mark in &other.marks {
             let seen = cut(&mark.form, &frame).into_iter();
-            self.marks.extend(seen.map(|form| Mark { form: moved(&form, at), event: mark.event }));
+            self.marks.extend(seen.map(|form| Mark { form: placed(&form, at, scale), event: mark.event }));
         }
     }
 }
@@ -79,26 +84,33 @@ fn cut_ring(ring: &[Spot], frame: &Frame) -> Vec<Spot> {
     ring
 }
 
-fn moved(form: &Form, by: Spot) -> Form {
-    let spot = |at: &Spot| [at[0] + by[0], at[1] + by[1]];
+/// A mark so many times as large, with the corner of its drawing at `at`.
+fn placed(form: &Form, at: Spot, scale: f64) -> Form {
+    let spot = |spot: &Spot| [at[0] + spot[0] * scale, at[1] + spot[1] * scale];
     let spots = |points: &[Spot]| points.iter().map(spot).collect();
+    let line = |stroke: &Stroke| Stroke {
+        colour: stroke.colour,
+        width: stroke.width * scale,
+        dash: stroke.dash.map(|dash| dash.map(|length| length * scale)),
+    };
     match form {
-        Form::Line { points, stroke } => Form::Line { points: spots(points), stroke: *stroke },
+        Form::Line { points, stroke } => Form::Line { points: spots(points), stroke: line(stroke) },
         Form::Area { rings, fill } => Form::Area { rings: rings.iter().map(|ring| spots(ring)).collect(), fill: *fill },
         Form::Circle { centre, radius, fill, stroke } => {
-            Form::Circle { centre: spot(centre), radius: *radius, fill: *fill, stroke: *stroke }
+            let stroke = stroke.as_ref().map(line);
+            Form::Circle { centre: spot(centre), radius: radius * scale, fill: *fill, stroke }
         }
         Form::Arc { centre, radius, angles, stroke } => {
-            Form::Arc { centre: spot(centre), radius: *radius, angles: *angles, stroke: *stroke }
+            Form::Arc { centre: spot(centre), radius: radius * scale, angles: *angles, stroke: line(stroke) }
         }
         Form::Arrow { from, to, head, stroke } => {
-            Form::Arrow { from: spot(from), to: spot(to), head: *head, stroke: *stroke }
+            Form::Arrow { from: spot(from), to: spot(to), head: head * scale, stroke: line(stroke) }
         }
         Form::Rect { frame, fill, stroke } => {
             let frame = Frame { low: spot(&frame.low), high: spot(&frame.high) };
-            Form::Rect { frame, fill: *fill, stroke: *stroke }
+            Form::Rect { frame, fill: *fill, stroke: stroke.as_ref().map(line) }
         }
-        Form::Text(text) => Form::Text(Text { at: spot(&text.at), ..text.clone() }),
+        Form::Text(text) => Form::Text(Text { at: spot(&text.at), size: text.size * scale, ..text.clone() }),
         Form::Outline { steps, fill } => {
             Form::Outline { steps: steps.iter().map(|step| step.moved(|at| spot(&at))).collect(), fill: *fill }
         }
@@ -139,5 +151,16 @@ mod tests {
         let Form::Line { points, .. } = &outer.marks[2].form else { panic!("then the line") };
         assert_eq!(points, &[[110.0, 60.0], [10.0, 60.0]]);
         assert_eq!(outer.marks.len(), 3);
+    }
+
+    #[test]
+    fn a_drawing_that_is_made_smaller_has_smaller_letters_and_thinner_lines() {
+        let inner = sample::two_marks();
+        let mut outer = Drawing::new([300.0, 300.0], Theme::Light.palette().ground);
+        outer.include_scaled(&inner, [10.0, 10.0], 0.5);
+        let Form::Line { points, stroke } = &outer.marks[2].form else { panic!("the second mark is a line") };
+        assert_eq!(points, &[[10.0, 20.0], [60.0, 20.0]]);
+        let Form::Line { stroke: before, .. } = &inner.marks[1].form else { panic!("it is a line there too") };
+        assert!((stroke.width - before.width / 2.0).abs() < 1e-12);
     }
 }

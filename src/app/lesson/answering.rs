@@ -177,12 +177,11 @@ impl Workbench {
                 _ => None,
             },
         };
-        match click {
-            Some(click) => self.answer_click(question, surface, click),
-            None => {
-                let problem = say(&self.ctx(), "lesson-no-place");
-                self.change_question(question, |asked| asked.problem = Some(problem));
-            }
+        if let Some(click) = click {
+            self.answer_click(question, surface, click);
+        } else {
+            let problem = say(&self.ctx(), "lesson-no-place");
+            self.change_question(question, |asked| asked.problem = Some(problem));
         }
     }
 

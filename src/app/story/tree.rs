@@ -85,6 +85,7 @@ fn show_rows(ui: &mut Ui, recording: &Recording, range: Range<usize>) -> Option<
 }
 
 /// A row with what stands around it.
+#[expect(clippy::struct_excessive_bools, reason = "they do not depend on each other")]
 struct Line {
     row: Row,
     selected: bool,

@@ -163,19 +163,21 @@ impl Flow {
         self.gap(height + 4.0);
     }
 
-    /// A drawing with a frame around it.
-    pub fn drawing(&mut self, drawing: &Drawing) {
+    /// A drawing of that width on paper, with a frame around it.
+    pub fn drawing(&mut self, drawing: &Drawing, width: f64) {
+        let scale = width / drawing.width;
+        let height = drawing.height * scale;
         self.gap(4.0);
-        self.keep(drawing.height + 20.0);
+        self.keep(height + 20.0);
         let at = [LEFT, self.y];
         self.say(&format!("\n{}\n", drawing.in_words()));
         if let Some(page) = self.pages.last_mut() {
-            page.include(drawing, at);
-            let frame = Frame { low: at, high: [at[0] + drawing.width, at[1] + drawing.height] };
+            page.include_scaled(drawing, at, scale);
+            let frame = Frame { low: at, high: [at[0] + width, at[1] + height] };
             let stroke = Stroke::solid(Theme::Light.palette().grid, 0.7);
             page.put(Form::Rect { frame, fill: None, stroke: Some(stroke) }, None);
         }
-        self.gap(drawing.height + 3.0);
+        self.gap(height + 3.0);
     }
 
     /// A thin line across the text.

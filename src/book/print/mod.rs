@@ -12,8 +12,11 @@ use crate::lesson::{Course, Finding, Posed, Scenes, Shelf, Stage};
 use crate::view::{Subject, Theme, View, pdf};
 use flow::{Flow, Look};
 
-/// Width and height of a drawing in points. Larger ones leave much of a page white where they do not fit on it.
-const DRAWING: [f64; 2] = [400.0, 236.0];
+/// Width and height of a drawing in points, as it is made: in smaller ones labels would lie on each other.
+const DRAWING: [f64; 2] = [620.0, 366.0];
+
+/// Its width on paper. Larger ones leave much of a page white where they do not fit on it.
+const ON_PAPER: f64 = 410.0;
 
 /// A lesson as a PDF, and what is wrong with it.
 #[must_use]
@@ -108,7 +111,7 @@ impl Printer {
             let scene = &stage.scene.scene;
             let subject = Subject { scene, tree: &stage.tree, event: stage.event, size: DRAWING, theme: Theme::Light };
             if let Some(drawing) = view.draw(&subject).or_else(|| view.draw_telling(&subject)) {
-                self.flow.drawing(&drawing);
+                self.flow.drawing(&drawing, ON_PAPER);
                 self.flow.words(view.about, Look::SMALL);
             }
         }

@@ -44,7 +44,7 @@ impl Flow {
         self.keep(60.0);
         self.words(&format!("Question {number}"), Look::LABEL);
         for hint in &posed.hints {
-            self.words("Hint", Look { after: 0.0, ..Look::SMALL });
+            self.lines(glued_words("Hint", Look::SMALL), INDENT, Look { after: 0.0, ..Look::SMALL });
             self.prose(hint, INDENT);
         }
         self.right_and_wrong(&posed.form);

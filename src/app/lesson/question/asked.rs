@@ -71,9 +71,8 @@ impl Asked {
         match (&self.posed.form, &self.draft) {
             (_, Draft::Number(typed)) => !typed.trim().is_empty(),
             (_, Draft::Choice(chosen) | Draft::Intervals(chosen)) => chosen.is_some(),
-            (_, Draft::Order(_)) => true,
             (Form::Time(_), _) => seen.probe_t.is_some(),
-            (Form::Edit(_), _) => true,
+            (_, Draft::Order(_)) | (Form::Edit(_), _) => true,
             (_, Draft::Place { .. } | Draft::Elsewhere) => false,
         }
     }

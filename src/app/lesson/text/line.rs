@@ -130,16 +130,13 @@ impl Reader<'_> {
 
     fn inline_formula(&mut self, ui: &Ui, latex: &str, format: &TextFormat, draft: &mut Draft) {
         let em = format.font_id.size * 1.08;
-        match self.formulas.formula(ui.ctx(), latex, false, em) {
-            Some(set) => {
-                draft.words.push_str(&set.words);
-                draft.flow.piece(Piece::pixels(set.texture.id(), set.size, set.ascent, draft.width));
-            }
-            None => {
-                let font_id = FontId::monospace(format.font_id.size - 1.0);
-                draft.words(ui, latex, &TextFormat { font_id, ..format.clone() }, None);
-            }
-        }
+        let Some(set) = self.formulas.formula(ui.ctx(), latex, false, em) else {
+            let font_id = FontId::monospace(format.font_id.size - 1.0);
+            draft.words(ui, latex, &TextFormat { font_id, ..format.clone() }, None);
+            return;
+        };
+        draft.words.push_str(&set.words);
+        draft.flow.piece(Piece::pixels(set.texture.id(), set.size, set.ascent, draft.width));
     }
 }
 
