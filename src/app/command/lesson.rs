@@ -63,7 +63,7 @@ impl Commands for LessonCommand {
         let command = |key| Some(KeyboardShortcut::new(Modifiers::COMMAND, key));
         let shifted = |key| Some(KeyboardShortcut::new(Modifiers::COMMAND.plus(Modifiers::SHIFT), key));
         match self {
-            Self::Open => command(Key::L),
+            Self::Open => Some(KeyboardShortcut::new(Modifiers::NONE, Key::F2)),
             Self::Next => command(Key::PageDown),
             Self::Previous => command(Key::PageUp),
             Self::Check => command(Key::Enter),
