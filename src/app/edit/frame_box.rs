@@ -2,7 +2,7 @@
 
 use crate::app::picture::placement::Placement;
 use crate::scene::{LightKind, Scene};
-use egui::{Color32, Painter, Pos2, Stroke, vec2};
+use egui::{Color32, Painter, Pos2, Rect, Stroke, vec2};
 use glam::DVec3;
 
 /// Pairs of corners, numbered by bits for x, y and z, with an edge between them.
@@ -29,8 +29,30 @@ pub fn draw_box(painter: &Painter, scene: &Scene, place: &Placement, low: DVec3,
 
 /// Light on dark dashes, seen on any colour.
 fn dashed(painter: &Painter, from: Pos2, to: Pos2) {
+    // A corner almost beside the eye lies millions of points away; nobody has room for so many dashes.
+    let Some([from, to]) = within(painter.clip_rect().expand(10.0), from, to) else { return };
     painter.line_segment([from, to], Stroke::new(2.5, Color32::from_black_alpha(110)));
     painter.extend(egui::Shape::dashed_line(&[from, to], Stroke::new(1.2, Color32::WHITE), 5.0, 4.0));
+}
+
+/// The part of a line that lies in a rectangle, after Liang and Barsky (1984), "A New Concept and Method for Line Clipping".
+fn within(rect: Rect, from: Pos2, to: Pos2) -> Option<[Pos2; 2]> {
+    let way = to - from;
+    let (mut first, mut last) = (0.0_f32, 1.0_f32);
+    for (start, step, low, high) in
+        [(from.x, way.x, rect.left(), rect.right()), (from.y, way.y, rect.top(), rect.bottom())]
+    {
+        if step == 0.0 {
+            if start < low || start > high {
+                return None;
+            }
+            continue;
+        }
+        let (one, other) = ((low - start) / step, (high - start) / step);
+        first = first.max(one.min(other));
+        last = last.min(one.max(other));
+    }
+    (first < last).then(|| [from + way * first, from + way * last])
 }
 
 /// Draws a cross with arrows where a thing without a box is.
