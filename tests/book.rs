@@ -36,7 +36,10 @@ impl Made {
 
     /// All pages with their paths.
     fn pages(&self) -> impl Iterator<Item = (&str, &str)> {
-        self.files.keys().filter(|path| path.ends_with(".html")).map(|path| (path.as_str(), self.text(path)))
+        self.files
+            .keys()
+            .filter(|path| Path::new(path).extension().is_some_and(|ending| ending == "html"))
+            .map(|path| (path.as_str(), self.text(path)))
     }
 }
 

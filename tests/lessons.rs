@@ -17,7 +17,7 @@ fn root() -> &'static Path {
 }
 
 fn wrong(checked: &Checked) -> String {
-    checked.findings.iter().map(|finding| format!("{finding}\n")).collect()
+    checked.findings.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n")
 }
 
 #[test]

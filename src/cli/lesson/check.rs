@@ -58,7 +58,10 @@ fn all(lessons: &Lessons) -> Result<Checked, Failure> {
 }
 
 fn written(checked: &Checked, count: usize) -> String {
-    let mut text: String = checked.findings.iter().map(|finding| format!("{finding}\n")).collect();
+    let mut text = String::new();
+    for finding in &checked.findings {
+        let _ = writeln!(text, "{finding}");
+    }
     let lessons = if count == 1 { "1 lesson".to_owned() } else { format!("{count} lessons") };
     let outcome = match checked.findings.len() {
         0 => "everything holds".to_owned(),

@@ -6,6 +6,7 @@ use crate::cli::output::Output;
 use crate::lesson::Scenes;
 use crate::lesson_folder::Lessons;
 use clap::Args;
+use std::fmt::Write;
 
 /// Print a lesson as text, its values put in
 #[derive(Args, Debug)]
@@ -29,7 +30,7 @@ impl Show {
         let answers = if self.answers { Answers::Shown } else { Answers::Hidden };
         let mut text = String::new();
         for finding in &lessons.course.findings {
-            text.push_str(&format!("{finding}\n"));
+            let _ = writeln!(text, "{finding}");
         }
         for lesson in ids.iter().filter_map(|id| lessons.course.lesson(id)) {
             text.push_str(&lesson_text(lesson, answers, &Scenes::default(), &lessons.shelf));

@@ -81,26 +81,24 @@ pub fn prose_text(prose: &Prose<Told>) -> String {
     let mut text = String::new();
     for block in prose {
         match block {
-            Block::Paragraph(line) => text.push_str(&(line_text(line) + "\n\n")),
-            Block::Heading(line) => text.push_str(&format!("### {}\n\n", line_text(line))),
+            Block::Paragraph(line) => text += &(line_text(line) + "\n\n"),
+            Block::Heading(line) => text += &["### ", &line_text(line), "\n\n"].concat(),
             Block::List { numbered, items } => {
                 for (number, item) in items.iter().enumerate() {
                     let sign = if *numbered { format!("{}. ", number + 1) } else { "- ".to_owned() };
-                    text.push_str(&format!("{sign}{}\n", prose_text(item).trim_end()));
+                    text += &[&sign, prose_text(item).trim_end(), "\n"].concat();
                 }
                 text.push('\n');
             }
             Block::Quote(blocks) => {
                 for line in prose_text(blocks).trim_end().lines() {
-                    text.push_str(&format!("> {line}\n"));
+                    text += &["> ", line, "\n"].concat();
                 }
                 text.push('\n');
             }
-            Block::Code(pieces) => {
-                text.push_str(&format!("    {}\n\n", code(pieces).trim_end().replace('\n', "\n    ")))
-            }
-            Block::Formula(pieces) => text.push_str(&format!("    {}\n\n", latex(pieces).trim())),
-            Block::Table { head, rows } => text.push_str(&table_text(head, rows)),
+            Block::Code(pieces) => text += &["    ", &code(pieces).trim_end().replace('\n', "\n    "), "\n\n"].concat(),
+            Block::Formula(pieces) => text += &["    ", latex(pieces).trim(), "\n\n"].concat(),
+            Block::Table { head, rows } => text += &table_text(head, rows),
         }
     }
     text

@@ -23,7 +23,8 @@ pub(super) fn check_answers(check: &mut Check, posed: &Posed, stage: &Stage, pla
             }
             for (number, choice) in choices.iter().enumerate() {
                 let verdict = posed.judge(&Answer::Choice(number));
-                expect(check, &verdict, choice.is_right.then_some(None).unwrap_or(Some(number)), place, stage);
+                let expected = if choice.is_right { None } else { Some(number) };
+                expect(check, &verdict, expected, place, stage);
             }
         }
         Form::Order { right, wrong, .. } => {

@@ -7,8 +7,11 @@ use crate::record::EventId;
 
 type Outcome = Result<Value, ExpressionError>;
 
+/// A function of one number, by its name.
+type OfOne = (&'static str, fn(f64) -> f64);
+
 /// Functions of one number. Of lists they are taken item by item.
-const OF_ONE: [(&str, fn(f64) -> f64); 18] = [
+const OF_ONE: [OfOne; 18] = [
     ("abs", f64::abs),
     ("sqrt", f64::sqrt),
     ("sin", f64::sin),
@@ -100,7 +103,7 @@ pub(super) fn call(node: &Node, name: &str, arguments: &[Node], known: &dyn Know
 
 /// `first("…")`, `within(event, "…")` and their like.
 fn ask(node: &Node, name: &str, arguments: &[Node], known: &dyn Known) -> Outcome {
-    let (trace, arguments) = of_trace(arguments, known)?;
+    let (trace, arguments) = of_trace(arguments, known);
     let trace = trace.as_deref();
     let text = |place: usize| match arguments.get(place).map(|argument| evaluate(argument, known)) {
         Some(Ok(Value::Text(text))) => Ok(text),
@@ -140,13 +143,13 @@ fn ask(node: &Node, name: &str, arguments: &[Node], known: &dyn Known) -> Outcom
 }
 
 /// The name of the trace that is asked, where it is not the step's own, and the other arguments.
-fn of_trace<'a>(arguments: &'a [Node], known: &dyn Known) -> Result<(Option<String>, &'a [Node]), ExpressionError> {
+fn of_trace<'a>(arguments: &'a [Node], known: &dyn Known) -> (Option<String>, &'a [Node]) {
     if let Some((Node { kind: Kind::Name(name), .. }, rest)) = arguments.split_first()
         && let Some(Ok(Value::Trace(trace))) = known.name(name)
     {
-        return Ok((Some(trace), rest));
+        return (Some(trace), rest);
     }
-    Ok((None, arguments))
+    (None, arguments)
 }
 
 fn id_of(node: &Node, arguments: &[Node], known: &dyn Known) -> Result<EventId, ExpressionError> {

@@ -13,7 +13,7 @@ pub fn parse(text: &str) -> Result<Node, ExpressionError> {
     let node = parser.or()?;
     match parser.peek() {
         None => Ok(node),
-        Some(token) => Err(parser.expected("the end or an operator", token)),
+        Some(token) => Err(Parser::expected("the end or an operator", token)),
     }
 }
 
@@ -173,7 +173,7 @@ impl Parser {
                 self.close(")")?;
                 return Ok(Node { range: start..self.last_end(), ..node });
             }
-            TokenKind::Sign(_) => return Err(self.expected("a value", &token)),
+            TokenKind::Sign(_) => return Err(Self::expected("a value", &token)),
         };
         Ok(Node { kind, range: start..self.last_end() })
     }
@@ -231,7 +231,7 @@ impl Parser {
         ExpressionError { message: message.to_owned(), range }
     }
 
-    fn expected(&self, what: &str, token: &Token) -> ExpressionError {
+    fn expected(what: &str, token: &Token) -> ExpressionError {
         let read = match &token.kind {
             TokenKind::Number(number) => number.to_string(),
             TokenKind::Text(text) => format!("\"{text}\""),

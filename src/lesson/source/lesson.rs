@@ -55,7 +55,7 @@ impl Reader<'_, '_> {
                 markdown::Part::Fenced { word, range, offset } if word == "step" => match title.take() {
                     Some((words, _)) => self.step(&mut lesson, words, range, offset),
                     None => {
-                        self.findings.add(offset, "a `step` block stands directly below the heading of its step, once")
+                        self.findings.add(offset, "a `step` block stands directly below the heading of its step, once");
                     }
                 },
                 markdown::Part::Fenced { word, range, offset } => {
@@ -107,7 +107,7 @@ impl Reader<'_, '_> {
         match (part, lesson.steps.last_mut()) {
             (Some(part), Some(Step { parts, .. })) => parts.push(part),
             (Some(_), None) => {
-                self.findings.add(offset, "this block belongs into a step: put it below a `## ` heading")
+                self.findings.add(offset, "this block belongs into a step: put it below a `## ` heading");
             }
             (None, _) => {}
         }
@@ -150,7 +150,7 @@ impl Reader<'_, '_> {
                 match Expression::parse(claim) {
                     Ok(expression) => claims.push(Sited::new(expression, self.findings.place(offset))),
                     Err(error) => {
-                        self.findings.add(offset + error.range.start, format!("`{claim}`: {}", error.message))
+                        self.findings.add(offset + error.range.start, format!("`{claim}`: {}", error.message));
                     }
                 }
             }

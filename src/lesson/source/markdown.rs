@@ -100,20 +100,20 @@ impl<'r, 'f> Reader<'r, 'f> {
                 let range_in_file = self.base + range_in_file.start..self.base + range_in_file.end;
                 Some(Part::Fenced { word: word.to_string(), range: range_in_file, offset: self.base + range.start })
             }
-            event => self.block(event, range, events).map(Part::Block),
+            event => self.block(&event, range.start, events).map(Part::Block),
         }
     }
 
-    fn block(&mut self, event: Event, range: Range<usize>, events: &mut Events) -> Option<Block<Reference>> {
+    fn block(&mut self, event: &Event, start: usize, events: &mut Events) -> Option<Block<Reference>> {
         match event {
             Event::Start(Tag::Paragraph) => Some(self.paragraph(events)),
             Event::Start(Tag::Heading { level, .. }) => {
-                if level == HeadingLevel::H1 {
-                    self.findings.add(self.base + range.start, "the title stands in the header: begin steps with `##`");
+                if *level == HeadingLevel::H1 {
+                    self.findings.add(self.base + start, "the title stands in the header: begin steps with `##`");
                 }
-                Some(Block::Heading(self.line(events, TagEnd::Heading(level))))
+                Some(Block::Heading(self.line(events, TagEnd::Heading(*level))))
             }
-            Event::Start(Tag::BlockQuote(kind)) => Some(Block::Quote(self.blocks(events, TagEnd::BlockQuote(kind)))),
+            Event::Start(Tag::BlockQuote(kind)) => Some(Block::Quote(self.blocks(events, TagEnd::BlockQuote(*kind)))),
             Event::Start(Tag::List(start)) => {
                 let numbered = start.is_some();
                 let mut items = Vec::new();
@@ -139,7 +139,7 @@ impl<'r, 'f> Reader<'r, 'f> {
             }
             Event::Start(Tag::Table(_)) => Some(self.table(events)),
             Event::Start(_) | Event::Html(_) | Event::Rule => {
-                self.findings.add(self.base + range.start, "this kind of Markdown is not told in lessons");
+                self.findings.add(self.base + start, "this kind of Markdown is not told in lessons");
                 None
             }
             _ => None,
@@ -152,7 +152,7 @@ impl<'r, 'f> Reader<'r, 'f> {
             if event == Event::End(end) {
                 break;
             }
-            blocks.extend(self.block(event, range, events));
+            blocks.extend(self.block(&event, range.start, events));
         }
         blocks
     }
@@ -175,7 +175,7 @@ impl<'r, 'f> Reader<'r, 'f> {
                     if !line.is_empty() {
                         blocks.push(Block::Paragraph(std::mem::take(&mut line)));
                     }
-                    blocks.extend(self.block(event, range, events));
+                    blocks.extend(self.block(&event, range.start, events));
                 }
                 event => self.inline(event, &range, events, &mut line),
             }

@@ -189,7 +189,7 @@ fn a_formula_is_marks_of_a_drawing_in_every_kind_of_file() {
     for form in set(r"\sqrt{x}").marks([20.0, 50.0], 24.0, palette.ink) {
         drawing.put(form, None);
     }
-    assert!(svg(&drawing).contains("Q"));
+    assert!(svg(&drawing).contains('Q'));
     let painted = crate::view::paint(&drawing, 1.0);
     assert!(painted.rgba.chunks(4).filter(|pixel| pixel[0] < 100).count() > 40);
     assert!(crate::view::pdf("A root", &[drawing]).starts_with(b"%PDF"));
