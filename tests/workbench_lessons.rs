@@ -180,6 +180,20 @@ fn hints_come_one_by_one_and_the_answer_is_shown_on_request() {
 }
 
 #[test]
+fn rows_that_would_tell_the_answer_wait_for_it() {
+    let mut bench = open_bowl();
+    let untold = |bench: &Bench| {
+        let recording = workbench(bench).recording().expect("recorded");
+        recording.story().outline().len() - recording.rows_told()
+    };
+    assert_eq!(untold(&bench), 0, "the first step asks nothing");
+    command(&mut bench, LessonCommand::Next);
+    assert!(untold(&bench) > 0 && is_said(&bench, "The rest is told with the answers"));
+    command(&mut bench, LessonCommand::Reveal);
+    assert!(untold(&bench) == 0 && !is_said(&bench, "The rest is told with the answers"));
+}
+
+#[test]
 fn the_answer_to_a_change_is_made_in_the_scene_and_can_be_taken_back() {
     let mut bench = open_bowl();
     go_to_the_end(&mut bench);

@@ -66,6 +66,7 @@ lesson-value = { $value } ({ $from })
 lesson-value-about = { $from } · ein Klick wählt das Ereignis
 lesson-link-about = Die Lektion { $lesson } öffnen
 lesson-source-about = Eine Datei aus dem Quelltext des Programms. Ein Klick kopiert ihren Namen.
+lesson-veil = Der Rest wird mit den Antworten erzählt. Jetzt zeigen
 lesson-marked = von der Lektion hervorgehoben
 lesson-accuracy = Genauigkeit der Lektion
 

@@ -66,6 +66,7 @@ lesson-value = { $value } ({ $from })
 lesson-value-about = { $from } · click to select its event
 lesson-link-about = Open the lesson { $lesson }
 lesson-source-about = A file of the program’s source. Click to copy its name.
+lesson-veil = The rest is told with the answers. Show it now
 lesson-marked = marked by the lesson
 lesson-accuracy = accuracy of the lesson
 

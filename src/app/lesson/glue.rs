@@ -129,7 +129,8 @@ impl Workbench {
         if let Some(staged) = lesson.open.as_ref().and_then(OpenLesson::staged)
             && self.set_scene(ctx, staged)
         {
-            self.set_ray(staged);
+            let asks = lesson.open.as_ref().is_some_and(OpenLesson::asks_of_the_story);
+            self.set_ray(staged, asks);
             self.dock.show_beside(&staged.views, Pane::Lesson);
             if let Some(open) = &mut lesson.open {
                 open.judged = None;
@@ -167,7 +168,8 @@ impl Workbench {
         true
     }
 
-    fn set_ray(&mut self, staged: &Staged) {
+    /// Shows the step's ray; `asks` says whether the story's rows would tell an answer.
+    fn set_ray(&mut self, staged: &Staged, asks: bool) {
         let stage = &staged.stage;
         let image = stage.scene.scene.image;
         let pixel = match stage.aim.at {
@@ -177,6 +179,8 @@ impl Workbench {
         let mut recording = Recording::of_tree(Arc::clone(&stage.scene.scene), pixel, Arc::clone(&stage.tree), None);
         recording.probe_t = staged.t;
         recording.marked.clone_from(&staged.marked);
+        // A step without an event of its own is about the whole story.
+        recording.veil = (asks && stage.event > 0).then_some(stage.event);
         self.set_level(staged.level);
         self.show_elsewhere(recording);
         self.select(stage.event);
@@ -187,6 +191,9 @@ impl Workbench {
         let Some(open) = self.lesson.open.as_mut().filter(|open| !open.is_after && open.is_done()) else { return };
         let Some(after) = open.staged().map(|staged| staged.after.clone()) else { return };
         open.is_after = true;
+        if let Some(recording) = self.recording.as_mut() {
+            recording.veil = None;
+        }
         self.dock.show_beside(&after, Pane::Lesson);
     }
 }

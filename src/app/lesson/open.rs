@@ -3,6 +3,7 @@
 use super::question::Asked;
 use super::staged::{Outcome, School, Staged};
 use crate::app::frame::background::Background;
+use crate::lesson::question::Form;
 use crate::lesson::{Progress, Record, Verdict};
 use crate::scene::Scene;
 use egui::Context;
@@ -108,6 +109,11 @@ impl OpenLesson {
     /// Whether nothing more is asked in this step.
     pub fn is_done(&self) -> bool {
         self.asked.iter().all(Asked::is_done)
+    }
+
+    /// Whether something is still asked that the story's rows would tell; of a change to the scene they tell nothing yet.
+    pub fn asks_of_the_story(&self) -> bool {
+        self.asked.iter().any(|asked| !asked.is_done() && !matches!(asked.posed.form, Form::Edit(_)))
     }
 
     /// The first question that is not answered yet, by its place in the step.

@@ -50,6 +50,8 @@ pub struct Recording {
     pub changed: BTreeSet<EventId>,
     /// The events that a lesson marks.
     pub marked: BTreeSet<EventId>,
+    /// The last event whose row is told while a lesson's questions are open: those behind it would tell the answers.
+    pub veil: Option<EventId>,
     story: Story,
     plotted: Plotted,
     /// Whether the selection or the rows moved since the tree panel last scrolled to it.
@@ -85,10 +87,20 @@ impl Recording {
             probe_t: None,
             changed: BTreeSet::new(),
             marked: BTreeSet::new(),
+            veil: None,
             story,
             plotted,
             selection_moved: true,
         }
+    }
+
+    /// How many rows are told: all, but for those that a lesson keeps for its answers. Whoever steps further sees further.
+    #[must_use]
+    pub fn rows_told(&self) -> usize {
+        let outline = self.story.outline();
+        let Some(veil) = self.veil else { return outline.len() };
+        let last = veil.max(self.story.selected());
+        (0..outline.len()).take_while(|&place| outline.row(place).is_some_and(|id| id <= last)).count()
     }
 
     /// The same, told at a level and with a filter.

@@ -33,8 +33,9 @@ pub fn ui(ui: &mut Ui, recording: Option<&mut Recording>) {
         area = area.vertical_scroll_offset(offset);
     }
     let focus = ui.scope_id().with("outline keys");
-    let rows = recording.story().outline().len();
-    let output = area.show_rows(ui, ROW, rows, |ui, range| show_rows(ui, recording, range));
+    let told = recording.rows_told();
+    let rows = told + usize::from(told < recording.story().outline().len());
+    let output = area.show_rows(ui, ROW, rows, |ui, range| show_rows(ui, recording, range, told));
     ui.ctx().data_mut(|data| data.insert_temp(focus, [output.state.clamped_offset().y, output.inner_rect.height()]));
     // The outline as a whole takes the focus, so that it does not get lost when the focused row scrolls away.
     let whole = ui.interact(output.inner_rect, focus, Sense::focusable_noninteractive());
@@ -44,6 +45,7 @@ pub fn ui(ui: &mut Ui, recording: Option<&mut Recording>) {
         match asked {
             Asked::Select(id) => recording.select(id),
             Asked::Open(id, open) => recording.set_open(id, open),
+            Asked::Lift => recording.veil = None,
         }
         // Only now: a click beside the outline itself, as one on a row is, takes its focus away.
         whole.request_focus();
@@ -60,6 +62,7 @@ pub fn ui(ui: &mut Ui, recording: Option<&mut Recording>) {
 enum Asked {
     Select(EventId),
     Open(EventId, bool),
+    Lift,
 }
 
 /// Where to scroll, if the selection moved out of sight: its row goes to the third of the height.
@@ -74,10 +77,14 @@ fn offset_of_selection(ui: &Ui, recording: &mut Recording) -> Option<f32> {
     (!in_sight).then(|| (top - height / 3.0).max(0.0))
 }
 
-fn show_rows(ui: &mut Ui, recording: &Recording, range: Range<usize>) -> Option<Asked> {
+/// The rows of a range, the first `told` of which are told.
+fn show_rows(ui: &mut Ui, recording: &Recording, range: Range<usize>, told: usize) -> Option<Asked> {
     let mut asked = None;
     for place in range {
-        if let Some(id) = recording.story().outline().row(place) {
+        if place >= told {
+            let lifts = ui.link(say(ui.ctx(), "lesson-veil")).clicked();
+            asked = asked.or(lifts.then_some(Asked::Lift));
+        } else if let Some(id) = recording.story().outline().row(place) {
             asked = show_row(ui, recording, id).or(asked);
         }
     }
