@@ -83,8 +83,8 @@ impl Preset {
             Self::Lesson => {
                 let left = plan.tabs(&[Lesson]);
                 let middle = plan.below(0.48, &[Picture], &[Side, Signs, Planes]);
-                let lower = [Detail, Along, Generic, Intervals, Overview, Snell, Shading];
-                let right = plan.below(0.5, &[Story, Editor, Properties], &lower);
+                // What else a step shows is put beside these when it is needed.
+                let right = plan.below(0.5, &[Story, Editor, Properties], &[Detail, Along, Generic]);
                 let seen = plan.split(LinearDir::Horizontal, 0.5, middle, right);
                 plan.split(LinearDir::Horizontal, 0.34, left, seen)
             }

@@ -20,6 +20,8 @@ const UPPER: f32 = 42.0;
 const MARGIN: f32 = 14.0;
 /// A bar that is narrower has one menu for all, in points.
 const NARROW: f32 = 940.0;
+/// With less room than this, in points, the title would be a few letters or none.
+const TITLE: f32 = 60.0;
 /// Less room than this is not worth the numbers of sections, in points.
 const SECTIONS: f32 = 60.0;
 /// No more pixels than this are offered, so that there is room for the text.
@@ -135,6 +137,9 @@ fn title(ui: &mut Ui, open: Option<&OpenScene>) {
         sections => format!("§ {}", sections.join(", ")),
     };
     ui.add_space(6.0);
+    if ui.available_width() < TITLE {
+        return;
+    }
     ui.add(Label::new(RichText::new(&open.scene.title).family(bold()).size(14.5)).truncate());
     // The beginning of a number would be another section's.
     if ui.available_width() > SECTIONS {
