@@ -118,7 +118,7 @@ impl Workbench {
             _ => chosen.into_iter().for_each(|event| self.select(event)),
         }
         self.section_handles(ui);
-        if let Some((rect, _)) = self.side.plane() {
+        if let Some(rect) = self.side.rect() {
             marks::draw(ui, &self.lesson_marks(Surface::Side), |at| marks::within(rect, at));
         }
     }

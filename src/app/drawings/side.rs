@@ -98,6 +98,12 @@ impl SidePanel {
         self.sight = Sight::WHOLE;
     }
 
+    /// Where the drawing lies on screen; none before it was shown.
+    #[must_use]
+    pub fn rect(&self) -> Option<Rect> {
+        self.seen.as_ref().map(|(rect, _)| *rect)
+    }
+
     /// Where the drawing lies on screen, and which places of the world are where in it; none before it was shown.
     #[must_use]
     pub fn plane(&self) -> Option<(Rect, PlaneView)> {

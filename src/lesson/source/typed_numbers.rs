@@ -54,7 +54,7 @@ mod tests {
     fn digits_on_their_own_are_typed_numbers() {
         assert_eq!(in_text("The ray hits at t = 3.5 and goes on."), Some((20, "3.5")));
         assert_eq!(in_text("It has 6 planes."), Some((7, "6")));
-        assert_eq!(in_text("a share of −12 %"), Some((13, "12")));
+        assert_eq!(in_text("a share of −12 %"), Some((14, "12")));
     }
 
     #[test]
