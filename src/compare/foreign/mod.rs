@@ -1,9 +1,9 @@
 //! What another ray tracer says of a pixel, beside our own story of it: where it departs for the first time, and why.
 //!
 //! The other program prints lines of JSON ([`Line`]), as many as it likes. Our story of the same pixel is recorded without any
-//! shortcut, so that every object has been asked; the lines are gone through beside it ([`walk`]), each number is compared
-//! ([`check`]) within what is allowed ([`allowance`]), and the first departure in the order of our story is explained by known
-//! mistakes, each of them worked out ([`causes`]).
+//! shortcut, so that every object has been asked; the lines are gone through beside it (`walk`), each number is compared
+//! (`check`) within what is allowed (`allowance`), and the first departure in the order of our story is explained by known
+//! mistakes, each of them worked out (`causes`).
 
 mod allowance;
 mod causes;
