@@ -2,8 +2,8 @@
 //!
 //! Data flows one way: scene file → [`scene`] → [`trace`] → event tree → [`view`] → command line or workbench. The
 //! layers, from the bottom: [`record`], [`math`], then [`shape`], [`csg`], [`optics`], [`sample`] and [`texture`], then [`scene`], [`trace`],
-//! [`view`], [`accuracy`], [`laboratory`], [`ledger`], [`peer`] and [`query`], and on top [`cli`] and `app`. [`folder`] reads the pictures beside a scene file, and
-//! [`cpu_time`] tells how long a thread has worked.
+//! [`view`], [`accuracy`], [`laboratory`], [`ledger`], [`peer`], [`query`] and [`lesson`], then [`book`], and on top [`cli`] and `app`. [`folder`] reads the pictures
+//! beside a scene file, [`lesson_folder`] lessons on disk, and [`cpu_time`] tells how long a thread has worked.
 
 #![warn(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::print_stdout, clippy::print_stderr)]
 

@@ -29,7 +29,7 @@ pub use place::{Finding, Findings, Place};
 pub use progress::{Progress, Record};
 pub use prose::Told;
 pub use question::{Answer, Posed, Verdict};
-pub use scenes::{Compiled, NoShelf, Scenes, Shelf};
+pub use scenes::{Compiled, NoShelf, Scenes, Shelf, changed};
 pub use source::{lesson_schema, read};
 pub use stage::Stage;
 pub use table::ToldTable;

@@ -5,7 +5,6 @@ use crate::hands::*;
 use egui::accesskit::Role;
 use egui::{Event, Key, Modifiers, Vec2};
 use egui_kittest::kittest::Queryable;
-use rayscope::document::{Structure, Syntax};
 use rayscope::lesson::model::{Change, Part, Step, Surface};
 use rayscope::lesson::prose::{Block, Inline, Line, Prose, Told, plain};
 use rayscope::lesson::question::{Form, Spot, Stretch};
@@ -32,17 +31,7 @@ fn list_text(list: &[Stretch]) -> String {
 }
 
 pub fn changed(text: &str, changes: &[Change]) -> String {
-    let mut text = text.to_owned();
-    for change in changes {
-        let syntax = Syntax::of(&text);
-        let structure = Structure { text: &text, syntax: &syntax };
-        let mut replacements = structure.set(&change.at, &change.to).expect("the check has made this change");
-        replacements.sort_by_key(|replacement| std::cmp::Reverse(replacement.range.start));
-        for replacement in replacements {
-            text.replace_range(replacement.range, &replacement.text);
-        }
-    }
-    text
+    rayscope::lesson::changed(text, changes).expect("the check has made this change")
 }
 
 /// Somebody who goes through a lesson.
