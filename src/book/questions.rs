@@ -3,7 +3,7 @@
 use super::page::Page;
 use crate::lesson::model::Change;
 use crate::lesson::prose::{Block, Inline};
-use crate::lesson::question::{Form, PosedEdit, Reckoned, Spot, Stretch};
+use crate::lesson::question::{Form, PosedEdit, Reckoned, Spot, list_text, offered_lists};
 use crate::lesson::{Posed, Told};
 use crate::record::format_number;
 use crate::view::escaped;
@@ -60,7 +60,9 @@ impl Page<'_> {
         let lines: Vec<String> = match form {
             Form::Choice(choices) => choices.iter().map(|choice| self.line(&choice.text)).collect(),
             Form::Order { items, offered, .. } => offered.iter().map(|&place| self.line(&items[place])).collect(),
-            Form::Intervals(reckoned) => lists(reckoned).into_iter().map(|list| escaped(&in_words(list))).collect(),
+            Form::Intervals(reckoned) => {
+                offered_lists(reckoned).into_iter().map(|list| escaped(&list_text(list))).collect()
+            }
             Form::Number(_) | Form::Place(..) | Form::Time(_) | Form::Edit(_) => return,
         };
         let tag = if matches!(form, Form::Order { .. }) { "ul" } else { "ol" };
@@ -75,7 +77,7 @@ impl Page<'_> {
         match form {
             Form::Number(reckoned) | Form::Time(reckoned) => self.right(&with_unit(reckoned, reckoned.answer)),
             Form::Place(_, reckoned) => self.right(&spot(&reckoned.answer)),
-            Form::Intervals(reckoned) => self.right(&in_words(&reckoned.answer)),
+            Form::Intervals(reckoned) => self.right(&list_text(&reckoned.answer)),
             Form::Choice(choices) => {
                 for (place, choice) in choices.iter().enumerate().filter(|(_, choice)| choice.is_right) {
                     let line = self.line(&choice.text);
@@ -105,7 +107,7 @@ impl Page<'_> {
                 self.wrong(&reckoned.wrong, |value| with_unit(reckoned, *value));
             }
             Form::Place(_, reckoned) => self.wrong(&reckoned.wrong, spot),
-            Form::Intervals(reckoned) => self.wrong(&reckoned.wrong, |list| in_words(list)),
+            Form::Intervals(reckoned) => self.wrong(&reckoned.wrong, |list| list_text(list)),
             Form::Choice(choices) => {
                 for (place, choice) in choices.iter().enumerate().filter(|(_, choice)| !choice.is_right) {
                     let line = self.line(&choice.text);
@@ -186,22 +188,6 @@ pub fn spot(spot: &Spot) -> String {
     };
     let numbers: Vec<String> = numbers.into_iter().map(format_number).collect();
     format!("{what} ({})", numbers.join(", "))
-}
-
-/// The lists that are offered, the right one among the others, in an order that does not give it away.
-pub fn lists(reckoned: &Reckoned<Vec<Stretch>>) -> Vec<&Vec<Stretch>> {
-    let wrong = reckoned.wrong.iter().map(|(list, _)| list);
-    let mut lists: Vec<_> = std::iter::once(&reckoned.answer).chain(wrong).collect();
-    lists.sort_by_key(|list| in_words(list));
-    lists
-}
-
-/// An interval list: `[1.5, 2] [3, ∞]`.
-pub fn in_words(list: &[Stretch]) -> String {
-    let end = |t: Option<f64>, unbounded: &str| t.map_or_else(|| unbounded.to_owned(), format_number);
-    let stretches: Vec<String> =
-        list.iter().map(|[from, to]| format!("[{}, {}]", end(*from, "−∞"), end(*to, "∞"))).collect();
-    if stretches.is_empty() { "empty".to_owned() } else { stretches.join(" ") }
 }
 
 /// The letter of a choice.

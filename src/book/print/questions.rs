@@ -2,9 +2,10 @@
 
 use super::flow::{Flow, Look};
 use super::line::{glued, glued_words};
-use crate::book::questions::{in_words, kind_in_words, letter, lists, spot, with_unit};
+use crate::book::questions::{kind_in_words, letter, spot, with_unit};
 use crate::lesson::prose::{Block, Inline};
 use crate::lesson::question::{Form, PosedEdit, Reckoned};
+use crate::lesson::question::{list_text, offered_lists};
 use crate::lesson::{Posed, Told};
 
 /// How far what belongs to a question stands from the text.
@@ -29,8 +30,8 @@ impl Flow {
                 }
             }
             Form::Intervals(reckoned) => {
-                for (place, list) in lists(reckoned).into_iter().enumerate() {
-                    self.signed(&format!("({})", letter(place)), glued_words(&in_words(list), Look::TEXT), INDENT);
+                for (place, list) in offered_lists(reckoned).into_iter().enumerate() {
+                    self.signed(&format!("({})", letter(place)), glued_words(&list_text(list), Look::TEXT), INDENT);
                 }
             }
             Form::Number(_) | Form::Place(..) | Form::Time(_) | Form::Edit(_) => {}
@@ -59,7 +60,7 @@ impl Flow {
                 self.reckoned(reckoned, |value| with_unit(reckoned, *value));
             }
             Form::Place(_, reckoned) => self.reckoned(reckoned, spot),
-            Form::Intervals(reckoned) => self.reckoned(reckoned, |list| in_words(list)),
+            Form::Intervals(reckoned) => self.reckoned(reckoned, |list| list_text(list)),
             Form::Choice(choices) => {
                 for (place, choice) in choices.iter().enumerate() {
                     let said = if choice.is_right { "right" } else { "wrong" };

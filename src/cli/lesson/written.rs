@@ -2,7 +2,7 @@
 
 use crate::lesson::model::{Part, Step};
 use crate::lesson::prose::{Block, Inline, Line, Prose, Told, code, latex};
-use crate::lesson::question::{Form, Reckoned, Spot, Stretch};
+use crate::lesson::question::{Form, Reckoned, Spot, list_text, offered_lists};
 use crate::lesson::{Lesson, Posed, Scenes, Shelf, Stage};
 use crate::record::format_number;
 use std::fmt::Write;
@@ -156,21 +156,6 @@ pub fn question_text(posed: &Posed, answers: Answers) -> String {
         answer_text(&mut text, posed);
     }
     text
-}
-
-/// The lists that are offered: the right one among the others, in the order of their first times.
-fn offered_lists(reckoned: &Reckoned<Vec<Stretch>>) -> Vec<&Vec<Stretch>> {
-    let mut lists: Vec<_> =
-        std::iter::once(&reckoned.answer).chain(reckoned.wrong.iter().map(|(list, _)| list)).collect();
-    lists.sort_by_key(|list| list_text(list));
-    lists
-}
-
-fn list_text(list: &[Stretch]) -> String {
-    let end = |t: Option<f64>, unbounded: &str| t.map_or(unbounded.to_owned(), format_number);
-    let stretches: Vec<_> =
-        list.iter().map(|[from, to]| format!("[{}, {}]", end(*from, "−∞"), end(*to, "∞"))).collect();
-    if stretches.is_empty() { "empty".to_owned() } else { stretches.join(" ") }
 }
 
 fn letter(number: usize) -> char {

@@ -2,7 +2,7 @@
 
 use super::Seen;
 use super::number::number;
-use crate::lesson::question::{Form, Reckoned, Stretch};
+use crate::lesson::question::{Form, offered_lists};
 use crate::lesson::{Answer, Posed, Record, Verdict};
 use crate::record::format_number;
 
@@ -86,9 +86,8 @@ impl Asked {
             (Form::Number(reckoned), Draft::Number(typed)) => Some(Answer::Number(number(typed, &reckoned.unit)?)),
             (_, Draft::Choice(chosen)) => chosen.map(Answer::Choice),
             (_, Draft::Order(order)) => Some(Answer::Order(order.clone())),
-            (Form::Intervals(reckoned), Draft::Intervals(chosen)) => {
-                chosen.and_then(|place| offered(reckoned).get(place).map(|list| Answer::Intervals((*list).clone())))
-            }
+            (Form::Intervals(reckoned), Draft::Intervals(chosen)) => chosen
+                .and_then(|place| offered_lists(reckoned).get(place).map(|list| Answer::Intervals((*list).clone()))),
             (Form::Time(_), _) => seen.probe_t.map(Answer::Number),
             _ => None,
         })
@@ -129,7 +128,7 @@ impl Asked {
             Form::Choice(choices) => Draft::Choice(choices.iter().position(|choice| choice.is_right)),
             Form::Order { right, .. } => Draft::Order(right.clone()),
             Form::Intervals(reckoned) => {
-                Draft::Intervals(offered(reckoned).iter().position(|list| **list == reckoned.answer))
+                Draft::Intervals(offered_lists(reckoned).iter().position(|list| **list == reckoned.answer))
             }
             Form::Place(..) => Draft::Place { is_armed: false, at: None },
             Form::Time(_) | Form::Edit(_) => Draft::Elsewhere,
@@ -150,44 +149,10 @@ fn draft_of(form: &Form, last: Option<&Answer>) -> Draft {
         }
         (Form::Order { offered, .. }, _) => Draft::Order(offered.clone()),
         (Form::Intervals(reckoned), Some(Answer::Intervals(list))) => {
-            Draft::Intervals(offered(reckoned).iter().position(|other| *other == list))
+            Draft::Intervals(offered_lists(reckoned).iter().position(|other| *other == list))
         }
         (Form::Intervals(_), _) => Draft::Intervals(None),
         (Form::Place(..), _) => Draft::Place { is_armed: false, at: None },
         (Form::Time(_) | Form::Edit(_), _) => Draft::Elsewhere,
-    }
-}
-
-/// The interval lists that are offered: the right one among the others, in an order that does not tell which it is.
-#[must_use]
-pub fn offered(reckoned: &Reckoned<Vec<Stretch>>) -> Vec<&Vec<Stretch>> {
-    let mut lists: Vec<_> =
-        std::iter::once(&reckoned.answer).chain(reckoned.wrong.iter().map(|(list, _)| list)).collect();
-    lists.sort_by_key(|list| list_text(list));
-    lists.dedup();
-    lists
-}
-
-/// An interval list in signs.
-#[must_use]
-pub fn list_text(list: &[Stretch]) -> String {
-    let end = |t: Option<f64>, unbounded: &str| t.map_or(unbounded.to_owned(), format_number);
-    let stretches: Vec<_> =
-        list.iter().map(|[from, to]| format!("[{}, {}]", end(*from, "−∞"), end(*to, "∞"))).collect();
-    if stretches.is_empty() { "∅".to_owned() } else { stretches.join(" ∪ ") }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn equal_lists_are_offered_once_and_the_right_one_is_among_them() {
-        let list = |from: f64| vec![[Some(from), None]];
-        let wrong = vec![(list(2.0), Vec::new()), (list(3.0), Vec::new()), (list(2.0), Vec::new())];
-        let reckoned = Reckoned { answer: list(1.0), tolerance: 0.0, unit: String::new(), wrong };
-        let lists = offered(&reckoned);
-        assert_eq!(lists.len(), 3);
-        assert!(lists.contains(&&list(1.0)));
     }
 }

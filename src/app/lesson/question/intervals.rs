@@ -1,8 +1,7 @@
 //! Interval lists to choose from, each as bars on the same axis.
 
-use super::asked::{list_text, offered};
 use crate::app::frame::theme::{Palette, colour, drawing_theme};
-use crate::lesson::question::{Reckoned, Stretch};
+use crate::lesson::question::{Reckoned, Stretch, list_text, offered_lists};
 use crate::record::format_number;
 use egui::{Align2, FontId, Rect, RichText, Role, Sense, Stroke, Ui, WidgetInfo, pos2, vec2};
 
@@ -13,7 +12,7 @@ const BAR: f32 = 10.0;
 
 /// Shows the lists; a click chooses one.
 pub fn ui(ui: &mut Ui, reckoned: &Reckoned<Vec<Stretch>>, chosen: &mut Option<usize>, is_done: bool) {
-    let lists = offered(reckoned);
+    let lists = offered_lists(reckoned);
     let axis = Axis::of(&lists);
     for (place, list) in lists.into_iter().enumerate() {
         let is_chosen = *chosen == Some(place);
