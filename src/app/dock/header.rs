@@ -47,7 +47,8 @@ fn menu(ui: &mut Ui, workbench: &mut Workbench, pane: Pane, room: f32) {
 
 /// How wide a panel's tools were when they were last shown beside each other.
 fn wanted(ui: &Ui, pane: Pane) -> f32 {
-    ui.data(|data| data.get_temp(place(ui, pane))).unwrap_or_default()
+    let place = place(ui, pane);
+    ui.data(|data| data.get_temp(place)).unwrap_or_default()
 }
 
 fn note(ui: &Ui, pane: Pane, width: f32) {
