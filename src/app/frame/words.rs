@@ -12,7 +12,8 @@ fn place() -> Id {
 
 /// Sets the language.
 pub fn set_language(ctx: &Context, language: Language) {
-    ctx.data_mut(|data| data.insert_temp(place(), language.tag()));
+    let tag = language.tag();
+    ctx.data_mut(|data| data.insert_temp(place(), tag));
 }
 
 /// The language that is set.
