@@ -1,15 +1,16 @@
 //! How long a thread has worked, not counting what it waited for.
 
 use crate::laboratory::Taken;
-use std::fs;
-use std::thread;
-use std::time::{Duration, Instant};
+use std::time::Duration;
+use web_time::Instant;
 
 /// Where Linux says how many nanoseconds this thread has run.
+#[cfg(not(target_arch = "wasm32"))]
 const SCHEDULER: &str = "/proc/thread-self/schedstat";
 
 /// A rest in which the scheduler brings its account up to date; while a thread runs, that happens only every few
 /// milliseconds. Any length will do.
+#[cfg(not(target_arch = "wasm32"))]
 const REST: Duration = Duration::from_micros(1);
 
 /// Whether times are CPU times here; elsewhere they are those of the clock on the wall.
@@ -41,10 +42,17 @@ pub fn taken(work: &mut (dyn FnMut() -> u64 + Send)) -> Taken {
 }
 
 /// The time that this thread has run.
+#[cfg(not(target_arch = "wasm32"))]
 fn worked() -> Option<Duration> {
-    thread::sleep(REST);
-    let text = fs::read_to_string(SCHEDULER).ok()?;
+    std::thread::sleep(REST);
+    let text = std::fs::read_to_string(SCHEDULER).ok()?;
     text.split_whitespace().next()?.parse().ok().map(Duration::from_nanos)
+}
+
+/// No browser tells.
+#[cfg(target_arch = "wasm32")]
+const fn worked() -> Option<Duration> {
+    None
 }
 
 #[cfg(test)]

@@ -11,6 +11,7 @@ pub mod accuracy;
 #[cfg(feature = "workbench")]
 pub mod app;
 pub mod book;
+#[cfg(not(target_arch = "wasm32"))]
 pub mod cli;
 pub mod compare;
 pub mod cpu_time;

@@ -1,4 +1,4 @@
-//! The study in `lessons/accuracy`: what it says of errors is true of pictures that are rendered here and now. No time is
+//! The study in `docs/accuracy`: what it says of errors is true of pictures that are rendered here and now. No time is
 //! measured: work is counted instead.
 
 use rayscope::laboratory::{Earlier, Knob, NoStore, Plan, Point, Study, Taken, Tools, study};

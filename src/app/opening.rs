@@ -53,13 +53,6 @@ enum Failure {
 }
 
 impl Workbench {
-    /// A workbench that opens the scene for the first visit.
-    #[must_use]
-    pub fn at_first_scene(ctx: &Context) -> Self {
-        let (name, text) = first_scene().map_or_else(Default::default, |scene| (scene.name, scene.text));
-        Self::new(ctx, &name, text, Outside::Refused)
-    }
-
     /// Whether a scene is being opened.
     #[must_use]
     pub const fn is_opening(&self) -> bool {
@@ -185,7 +178,7 @@ pub fn unreadable(ctx: &Context, error: &str) -> String {
 }
 
 /// The scene for the first visit.
-fn first_scene() -> Option<EmbeddedScene> {
+pub fn first_scene() -> Option<EmbeddedScene> {
     let mut scenes = embedded_scenes();
     let hello = scenes.iter().position(|scene| scene.name.starts_with("hello/")).unwrap_or(0);
     (hello < scenes.len()).then(|| scenes.swap_remove(hello))

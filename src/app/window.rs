@@ -1,67 +1,47 @@
-//! The thin layer between the workbench and the system's window.
+//! The thin layer between the workbench and the window or the page that it is in.
 
 use crate::app::workbench::Workbench;
 use crate::folder::Outside;
 use crate::lesson_folder::Lessons;
 use crate::share::link::Link;
-use eframe::{CreationContext, Frame, NativeOptions, Storage};
-use egui::{Ui, ViewportBuilder};
+use eframe::{CreationContext, Frame, Storage};
+use egui::Ui;
 
-const KEPT: &str = "kept";
-/// The name that the system knows the program by.
-const NAME: &str = "rayscope";
+/// Where it is kept; in a browser other pages of the same site may keep something, too.
+const KEPT: &str = if cfg!(target_arch = "wasm32") { "rayscope.kept" } else { "kept" };
 
 /// What the window begins with.
-pub enum Start {
-    /// A scene.
-    Scene {
-        /// Its name, or its file's.
-        name: String,
-        /// Its text.
-        text: String,
-        /// Which files it may name.
-        outside: Outside,
-        /// What is followed as soon as the window is there.
-        link: Option<Box<Link>>,
-    },
-    /// Lessons.
-    Lessons(Lessons),
+pub struct Start {
+    /// The name of the scene, or its file's.
+    pub name: String,
+    /// Its text.
+    pub text: String,
+    /// Which files it may name.
+    pub outside: Outside,
+    /// What is followed as soon as the window is there.
+    pub link: Option<Box<Link>>,
+    /// Lessons to be used in place of those that come with the program.
+    pub lessons: Option<Lessons>,
 }
 
-/// Opens the window and stays until it is closed.
-pub fn open(start: Start) -> Result<(), eframe::Error> {
-    let viewport = ViewportBuilder::default()
-        .with_title("rayscope")
-        .with_app_id(NAME)
-        .with_inner_size([1280.0, 800.0])
-        .with_min_inner_size([960.0, 600.0])
-        .with_drag_and_drop(true);
-    let options = NativeOptions { viewport, ..NativeOptions::default() };
-    let create = move |creation: &CreationContext| Window::new(creation, start);
-    eframe::run_native(NAME, options, Box::new(move |creation| Ok(Box::new(create(creation)))))
-}
-
-struct Window {
-    workbench: Workbench,
+/// The workbench in a window.
+pub struct Window {
+    /// The workbench.
+    pub workbench: Workbench,
 }
 
 impl Window {
-    fn new(creation: &CreationContext, start: Start) -> Self {
+    /// A workbench that begins with this, and with what was kept the last time.
+    pub fn new(creation: &CreationContext, start: Start) -> Self {
         let ctx = &creation.egui_ctx;
-        let mut workbench = match &start {
-            Start::Scene { name, text, outside, .. } => Workbench::new(ctx, name, text, *outside),
-            Start::Lessons(_) => Workbench::at_first_scene(ctx),
-        };
+        let mut workbench = Workbench::new(ctx, &start.name, &start.text, start.outside);
         if let Some(kept) = creation.storage.and_then(|storage| storage.get_string(KEPT)) {
             workbench.take_up(&kept);
         }
-        if let Some(folder) = eframe::storage_dir(NAME) {
-            workbench.keep_edits_in(&folder.join("recovery"));
-        }
-        match start {
-            Start::Scene { link: Some(link), .. } => workbench.follow(ctx, &link),
-            Start::Scene { link: None, .. } => workbench.offer_tour(),
-            Start::Lessons(lessons) => workbench.use_lessons(lessons),
+        match (start.link, start.lessons) {
+            (_, Some(lessons)) => workbench.use_lessons(lessons),
+            (Some(link), None) => workbench.follow(ctx, &link),
+            (None, None) => workbench.offer_tour(),
         }
         Self { workbench }
     }

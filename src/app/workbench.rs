@@ -27,6 +27,7 @@ use crate::app::share::Sharing;
 use crate::app::story::recording::Recording;
 use crate::app::story::stepping::Stepping;
 use crate::app::story::timeline::Timeline;
+use crate::app::system::{Picked, Unread};
 use crate::folder::Outside;
 use crate::record::EventId;
 use crate::scene::{Effects, Profile, Scene};
@@ -324,23 +325,27 @@ impl Workbench {
 
     /// Opens what was dropped on the window or chosen in the dialogue.
     pub(in crate::app) fn take_files(&mut self, ctx: &Context) {
-        if let Some(path) = self.dialog.chosen() {
-            self.open_scene(ctx, &path.display().to_string());
+        let dropped = ctx.input(|input| input.raw.dropped_files.first().cloned());
+        if let Some(file) = dropped {
+            self.dialog.take(ctx, &file);
+        }
+        if let Some(picked) = self.dialog.chosen() {
+            self.open_picked(ctx, picked);
         }
         if self.compare.take_file() {
             self.dock.reveal(Pane::Compare);
         }
-        let dropped = ctx.input(|input| input.raw.dropped_files.first().cloned());
-        if let Some(file) = dropped {
-            let name = file.path().display().to_string();
-            match file.bytes().map(String::from_utf8) {
-                Ok(Ok(text)) if file.path().extension().is_some_and(|ending| ending == "jsonl") => {
-                    self.open_foreign(&name, &text);
-                }
-                Ok(Ok(text)) => self.open_text(ctx, &name, &text),
-                Ok(Err(_)) => self.refuse(&name, say(ctx, "file-no-text")),
-                Err(error) => self.refuse(&name, unreadable(ctx, &error)),
-            }
+    }
+
+    fn open_picked(&mut self, ctx: &Context, picked: Picked) {
+        let is_foreign = picked.ends_in("jsonl");
+        let Picked { name, text } = picked;
+        match text {
+            None => self.open_scene(ctx, &name),
+            Some(Ok(text)) if is_foreign => self.open_foreign(&name, &text),
+            Some(Ok(text)) => self.open_text(ctx, &name, &text),
+            Some(Err(Unread::NoText)) => self.refuse(&name, say(ctx, "file-no-text")),
+            Some(Err(Unread::System(error))) => self.refuse(&name, unreadable(ctx, &error)),
         }
     }
 }

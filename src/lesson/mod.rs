@@ -26,7 +26,7 @@ pub use exam::{Before, Exam, ExamQuestion};
 pub use glossary::{Glossary, Term};
 pub use model::{Lesson, Part, Step};
 pub use place::{Finding, Findings, Place};
-pub use progress::{Progress, Record};
+pub use progress::{LessonProgress, Progress, Record};
 pub use prose::Told;
 pub use question::{Answer, Posed, Verdict};
 pub use scenes::{Compiled, NoShelf, Scenes, Shelf, changed};

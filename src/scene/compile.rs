@@ -13,6 +13,7 @@ use super::lenient::Lenient;
 use super::light_reader::lights;
 use super::model::{Limits, Material, MediaPolicy, Object, Scene, Shortcuts, needs_beams};
 use super::object_index::ObjectIndex;
+use super::origin::Origin;
 use super::problem::{Path, Problems};
 use super::projection::View;
 use super::reading::read_checked;
@@ -42,6 +43,7 @@ pub fn load(text: &str, origin: &str) -> Result<Scene, Diagnostics> {
 pub fn load_with(text: &str, origin: &str, files: &dyn Files) -> Result<Scene, Diagnostics> {
     static RULES: LazyLock<Rules> = LazyLock::new(|| Rules::new(scene_schema().as_value()));
     read_checked(text, origin, &RULES, |file: SceneFile, problems| compile(file, files, problems))
+        .map(|scene| Scene { origin: Origin::of(origin, text), ..scene })
 }
 
 /// Always `Some` where nothing is wrong.
@@ -92,6 +94,7 @@ fn compile(file: SceneFile, files: &dyn Files, problems: &mut Problems) -> Optio
         },
         limits: limits(file.limits.or_default()),
         pixels,
+        origin: Origin::of("", ""),
     };
     let calls_for_samples = Effects::of(&reasons(&scene)).meets(Effects::SAMPLED);
     let scene = Scene { sampling: sampling(&file.sampling.or_default(), calls_for_samples), ..scene };

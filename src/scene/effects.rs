@@ -3,6 +3,7 @@
 use super::{Coat, Lens, LightKind, Material, Object, Scene, Split, Texture};
 use crate::record::Effect;
 use crate::sample::Aperture;
+use serde::{Deserialize, Serialize};
 
 /// Whether this build has all effects. The one with the feature `bare` has only shadows: it is there to measure what the
 /// others cost a scene that does not call for them.
@@ -20,7 +21,7 @@ pub struct Reason {
 }
 
 /// The effects that a scene calls for.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Effects(u32);
 
 impl Effects {

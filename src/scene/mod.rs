@@ -25,6 +25,7 @@ mod light_file;
 mod light_reader;
 mod model;
 mod object_index;
+mod origin;
 mod pictures;
 mod problem;
 mod profile;
@@ -62,6 +63,7 @@ pub use light::{Area, Light, LightKind};
 pub use light_file::{AreaFile, LightFile};
 pub use model::{Limits, Material, MediaPolicy, Object, Rgb, Scene, SceneEnvironment, Shortcuts, Split};
 pub use object_index::ObjectIndex;
+pub use origin::{Origin, Recipe};
 pub use pictures::{decode, decode_heights};
 pub use profile::Profile;
 pub use profile_file::{

@@ -1,6 +1,6 @@
 //! A compiled scene: what the tracer sees.
 
-use super::{Camera, Coat, Detail, Effects, Image, LeafCoat, Lens, Light, ObjectIndex, Sampling};
+use super::{Camera, Coat, Detail, Effects, Image, LeafCoat, Lens, Light, ObjectIndex, Origin, Sampling};
 use crate::csg::{Boundary, Solid};
 use crate::optics::{Dispersion, Medium};
 use crate::shape::{Primitive, Solving};
@@ -183,7 +183,7 @@ impl Scene {
     /// The same scene with other effects switched on. Those that nothing in it calls for stay without effect.
     #[must_use]
     pub fn with_effects(&self, effects: Effects) -> Self {
-        Self { effects, ..self.clone() }
+        Self { effects, origin: self.origin.by_effects(effects), ..self.clone() }
     }
 
     /// The same scene in another frame of its animation.
@@ -244,4 +244,6 @@ pub struct Scene {
     pub limits: Limits,
     /// The pixel that tells the scene's story best: where the workbench starts and what the snapshot pins.
     pub pixels: Vec<[u32; 2]>,
+    /// What it was made from.
+    pub origin: Origin,
 }

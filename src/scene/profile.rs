@@ -104,6 +104,7 @@ impl Scene {
     #[must_use]
     pub fn with_profile(&self, profile: &Profile) -> Self {
         let mut scene = self.clone();
+        scene.origin = scene.origin.by_profile(profile);
         scene.solving.method = profile.method.unwrap_or(scene.solving.method);
         scene.solving.search = profile.search.unwrap_or(scene.solving.search);
         if let Some(samples) = profile.samples {

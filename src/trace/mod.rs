@@ -36,7 +36,7 @@ pub use closest::Surface;
 pub use departure::{Ahead, Departure};
 pub use export::{TRACE_FORMAT, TraceFile, trace_schema};
 pub use overlap::{Overlap, Overlaps};
-pub use picture::{FIRST_BLOCK, Picture, Progress, render, render_rows, srgb};
+pub use picture::{FIRST_BLOCK, Picture, Progress, Share, render, render_rows, render_share, srgb};
 pub use pixel::{record_pixel, record_ray, trace_pixel, trace_pixel_with, trace_ray};
 pub use ray::{Ray, Tracer};
 pub use scanning::Scanning;

@@ -22,12 +22,37 @@ pub struct Picture {
     computed: usize,
 }
 
+/// Which strips of a picture are rendered: those whose number leaves this rest. A strip is as high as a block of the first pass, so
+/// that the blocks of all passes stay within it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Share {
+    /// The rest.
+    pub index: u32,
+    /// What the number is divided by, 1 or more.
+    pub of: u32,
+}
+
+impl Share {
+    /// All strips.
+    pub const WHOLE: Self = Self { index: 0, of: 1 };
+
+    /// Whether a row of a picture belongs to it; `strip` is the height of a strip.
+    #[must_use]
+    pub const fn has(self, y: u32, strip: u32) -> bool {
+        y / strip % self.of == self.index
+    }
+}
+
 /// How far a picture has come, shared with whoever watches it.
-#[derive(Debug, Default)]
+#[derive(Default)]
 pub struct Progress {
     cancelled: AtomicBool,
     done: AtomicUsize,
+    told: Option<Box<dyn Fn(usize) + Send + Sync>>,
 }
+
+/// After so many pixels those are told who cannot look for themselves.
+const TELLING: usize = 1 << 10;
 
 impl Progress {
     /// Nothing done yet.
@@ -47,9 +72,25 @@ impl Progress {
         self.cancelled.load(Ordering::Relaxed)
     }
 
+    /// Nothing done yet; `tell` is called with how many pixels are finished, now and then.
+    #[must_use]
+    pub fn told_to(tell: impl Fn(usize) + Send + Sync + 'static) -> Self {
+        Self { told: Some(Box::new(tell)), ..Self::default() }
+    }
+
     /// Counts one more pixel that is finished.
     pub fn advance(&self) {
-        self.done.fetch_add(1, Ordering::Relaxed);
+        let before = self.done.fetch_add(1, Ordering::Relaxed);
+        if let Some(tell) = &self.told
+            && (before + 1).is_multiple_of(TELLING)
+        {
+            tell(before + 1);
+        }
+    }
+
+    /// Takes over how many pixels are finished from whoever finished them.
+    pub fn set_done(&self, done: usize) {
+        self.done.store(done, Ordering::Relaxed);
     }
 
     /// How many pixels are finished.
@@ -94,12 +135,14 @@ impl Picture {
     /// Three sRGB bytes a pixel, row by row from the top.
     #[must_use]
     pub fn to_rgb8(&self) -> Vec<u8> {
-        let mut bytes = Vec::with_capacity(3 * self.pixels.len());
-        // A power is dear. A coarse picture is made of blocks of one colour, and many a fine one has a plain background.
-        for run in self.pixels.chunk_by(|a, b| a == b) {
-            bytes.extend(std::iter::repeat_n(srgb(run[0]), run.len()).flatten());
-        }
-        bytes
+        rgb8(&self.pixels)
+    }
+
+    /// The same of the rows of a share alone; `strip` is the height of a strip.
+    #[must_use]
+    pub fn share_to_rgb8(&self, share: Share, strip: u32) -> Vec<u8> {
+        let rows = self.pixels.chunks(self.width.max(1) as usize).zip(0..);
+        rows.filter(|&(_, y)| share.has(y, strip)).flat_map(|(row, _)| rgb8(row)).collect()
     }
 }
 
@@ -116,6 +159,18 @@ pub fn render_rows(
     scene: &Scene,
     step: u32,
     progress: &Progress,
+    on_pass: impl FnMut(&Picture, u32),
+) -> (Picture, Tally) {
+    render_share(scene, step, Share::WHOLE, progress, on_pass)
+}
+
+/// The same for a share of the picture; the other rows keep the background.
+#[must_use]
+pub fn render_share(
+    scene: &Scene,
+    step: u32,
+    share: Share,
+    progress: &Progress,
     mut on_pass: impl FnMut(&Picture, u32),
 ) -> (Picture, Tally) {
     let mut picture = Picture::new(scene);
@@ -131,7 +186,8 @@ pub fn render_rows(
             .pixels
             .par_chunks_mut(band)
             .with_max_len(1)
-            .zip((0..picture.height).into_par_iter().step_by(side as usize));
+            .zip((0..picture.height).into_par_iter().step_by(side as usize))
+            .filter(|&(_, y)| share.has(y, coarsest));
         let traced = bands.map(|(band, y)| trace_row(&tracer, y, [side, coarsest], band, progress));
         let (computed, passed) = traced.reduce(Default::default, |a, b| (a.0 + b.0, a.1.plus(&b.1)));
         picture.computed += computed;
@@ -170,6 +226,16 @@ fn trace_row(
         }
     }
     (computed, tally)
+}
+
+/// Three sRGB bytes a pixel.
+fn rgb8(pixels: &[Rgb]) -> Vec<u8> {
+    let mut bytes = Vec::with_capacity(3 * pixels.len());
+    // A power is dear. A coarse picture is made of blocks of one colour, and many a fine one has a plain background.
+    for run in pixels.chunk_by(|a, b| a == b) {
+        bytes.extend(std::iter::repeat_n(srgb(run[0]), run.len()).flatten());
+    }
+    bytes
 }
 
 /// Linear RGB, clamped to [0, 1], as sRGB bytes (IEC 61966-2-1).

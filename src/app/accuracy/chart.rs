@@ -10,7 +10,7 @@ use crate::trace::Progress;
 use crate::view::{Drawing, Form, HeatMap, Spot, Theme, frontier_plot, heat_map};
 use egui::{Color32, Pos2, Rect, Role, Sense, Stroke, TextureHandle, Ui, Vec2, WidgetInfo, pos2, vec2};
 use std::sync::Arc;
-use std::time::Instant;
+use web_time::Instant;
 
 /// How far from a mark a click still counts, in points.
 const REACH: f64 = 6.0;

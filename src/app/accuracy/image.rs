@@ -11,7 +11,8 @@ use crate::laboratory::{MapKind, NoStore, Plan, Study, Tools, study};
 use crate::scene::Scene;
 use egui::{Button, Context, Rect, ScrollArea, Ui, UiBuilder, vec2};
 use std::sync::Arc;
-use std::time::{Duration, Instant};
+use std::time::Duration;
+use web_time::Instant;
 
 /// About how long a study takes, in seconds: what a person will wait for while the plot fills in.
 const BUDGET: f64 = 20.0;

@@ -13,7 +13,6 @@ use crate::app::workbench::{OpenScene, Workbench};
 use crate::compare::Departure;
 use crate::record::EventId;
 use egui::{ComboBox, Context, RichText, TextEdit, Ui};
-use std::path::Path;
 use std::sync::Arc;
 
 /// What is shown of a comparison.
@@ -99,20 +98,15 @@ impl ComparePane {
 
     /// Reads the file that was chosen; returns whether there was one.
     pub fn take_file(&mut self) -> bool {
-        let Some(path) = self.dialog.chosen() else { return false };
-        self.read(&path);
-        true
-    }
-
-    fn read(&mut self, path: &Path) {
-        let name = path.display().to_string();
-        match std::fs::read_to_string(path) {
-            Ok(text) => self.open_foreign(&name, &text),
+        let Some(picked) = self.dialog.chosen() else { return false };
+        match picked.whole() {
+            Ok(text) => self.open_foreign(&picked.name, &text),
             Err(error) => {
                 self.page = Page::Foreign;
-                self.foreign.refuse(&name, error.to_string());
+                self.foreign.refuse(&picked.name, error);
             }
         }
+        true
     }
 
     /// Goes to the next difference, or back to the one before.

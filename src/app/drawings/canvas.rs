@@ -1,5 +1,6 @@
 //! A drawing on screen: painted by a background thread at the screen's resolution, and only when its inputs change.
 
+use crate::app::system;
 use crate::view::{Drawing, paint};
 use egui::{ColorImage, Context, TextureHandle, TextureOptions};
 use std::sync::mpsc::{Receiver, TryRecvError, channel};
@@ -81,7 +82,7 @@ fn start<K: Send + 'static>(
         let _ = sender.send(Painted { key, drawing, image });
         ctx.request_repaint();
     };
-    std::thread::Builder::new().name("draw".to_owned()).spawn(work).ok().map(|_| receiver)
+    system::begin("draw", work).then_some(receiver)
 }
 
 fn upload(ctx: &Context, previous: Option<TextureHandle>, image: ColorImage) -> TextureHandle {

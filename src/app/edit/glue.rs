@@ -10,6 +10,7 @@ use crate::app::frame::words::{say, say_with};
 use crate::app::opening::{After, Source};
 use crate::app::pane::Pane;
 use crate::app::story::recording::Recording;
+use crate::app::system::Journals;
 use crate::app::workbench::Workbench;
 use crate::document::{Document, Selection, Step, Template, object_at};
 use crate::scene::embedded_scene;
@@ -19,8 +20,14 @@ use std::sync::Arc;
 
 impl Workbench {
     /// Keeps what is edited in a folder, and offers what was left behind there.
+    #[cfg(not(target_arch = "wasm32"))]
     pub fn keep_edits_in(&mut self, folder: &Path) {
-        self.editing.recovery = Some(Recovery::in_folder(folder));
+        self.keep_edits(Journals::in_folder(folder));
+    }
+
+    /// Keeps what is edited in journals, and offers what was left behind there.
+    pub(in crate::app) fn keep_edits(&mut self, journals: Journals) {
+        self.editing.recovery = Some(Recovery::among(journals));
     }
 
     /// The text of the scene, with its history.

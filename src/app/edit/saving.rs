@@ -2,11 +2,11 @@
 
 use crate::app::edit::dialog::Then;
 use crate::app::frame::background::Background;
+use crate::app::system;
 use crate::folder::{Outside, files_of_scene};
 use egui::Context;
 use serde_json::Value;
 use std::fs;
-use std::io::Write;
 use std::path::{Component, Path, PathBuf};
 use std::sync::mpsc::{Receiver, TryRecvError, channel};
 
@@ -86,13 +86,11 @@ impl Saving {
         let (sender, receiver) = channel();
         let (ctx, name) = (ctx.clone(), name.to_owned());
         let ask = move || {
-            let dialogue = rfd::FileDialog::new().set_title(title).add_filter("JSON", &["json"]).set_file_name(name);
             // The window may have gone away meanwhile; then nobody waits for this.
-            let _ = sender.send(dialogue.save_file());
+            let _ = sender.send(system::ask_where(Some(title), &name, "json"));
             ctx.request_repaint();
         };
-        let started = std::thread::Builder::new().name("save dialogue".to_owned()).spawn(ask);
-        self.dialogue = started.is_ok().then_some(receiver);
+        self.dialogue = system::begin("save dialogue", ask).then_some(receiver);
     }
 
     /// What was chosen in the dialogue, once.
@@ -109,7 +107,7 @@ impl Saving {
 impl Order {
     /// Writes a file beside the old one and then puts it in its place, so that at no moment there is only half of it.
     fn write(&self) -> Result<(), Refusal> {
-        let system = |error: std::io::Error| Refusal::System(error.to_string());
+        let refused = |error: std::io::Error| Refusal::System(error.to_string());
         // What a link leads to is replaced, not the link.
         let path = self.path.canonicalize().unwrap_or_else(|_| self.path.clone());
         if let Some(expected) = &self.expected
@@ -118,14 +116,7 @@ impl Order {
             return Err(Refusal::Changed);
         }
         let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
-        let mut file = tempfile::NamedTempFile::new_in(folder).map_err(system)?;
-        file.write_all(self.text.as_bytes()).map_err(system)?;
-        file.as_file().sync_all().map_err(system)?;
-        let permissions = fs::metadata(&path).map(|metadata| metadata.permissions()).ok().or_else(plain_permissions);
-        if let Some(permissions) = permissions {
-            file.as_file().set_permissions(permissions).map_err(system)?;
-        }
-        file.persist(&path).map_err(|error| system(error.error))?;
+        system::replace(&path, self.text.as_bytes()).map_err(refused)?;
         self.copy_pictures(folder).map_err(Refusal::System)
     }
 
@@ -141,25 +132,11 @@ impl Order {
                 continue;
             }
             let bytes = files.read(name)?;
-            let inner = target.parent().unwrap_or(folder);
-            let written = fs::create_dir_all(inner).and_then(|()| fs::write(&target, &bytes));
+            let written = system::write_with_folders(&target, &bytes);
             written.map_err(|error| format!("{}: {error}", target.display()))?;
         }
         Ok(())
     }
-}
-
-/// What a new file may be read and written by; temporary files are for their owner alone.
-#[cfg(unix)]
-#[expect(clippy::unnecessary_wraps, reason = "other systems have none")]
-fn plain_permissions() -> Option<fs::Permissions> {
-    Some(std::os::unix::fs::PermissionsExt::from_mode(0o644))
-}
-
-/// Elsewhere new files have what the folder says.
-#[cfg(not(unix))]
-fn plain_permissions() -> Option<fs::Permissions> {
-    None
 }
 
 /// The names of all pictures that a scene's values refer to.

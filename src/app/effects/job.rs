@@ -1,5 +1,6 @@
 //! The ledger, measured behind the window's back.
 
+use crate::app::system;
 use crate::cpu_time::cpu_time;
 use crate::ledger::{Ledger, Size, measure};
 use crate::scene::Scene;
@@ -34,8 +35,7 @@ impl LedgerJob {
             *result.lock().unwrap_or_else(PoisonError::into_inner) = ledger.map(Arc::new);
             ctx.request_repaint();
         };
-        std::thread::Builder::new().name("ledger".to_owned()).spawn(work).ok()?;
-        Some(job)
+        system::begin("ledger", work).then_some(job)
     }
 
     /// The ledger, once it is there.

@@ -1,15 +1,51 @@
 //! Work that is done behind the window's back and brings its results as it goes.
 
+use crate::app::system;
 use crate::trace::Progress;
 use egui::Context;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
-use std::time::Instant;
+use web_time::Instant;
 
 /// Dropping it cancels the work.
 pub struct Background<T> {
     progress: Arc<Progress>,
     latest: Arc<Mutex<Latest<T>>>,
     began: Instant,
+    /// Called once when the work is given up, where it cannot look whether it is.
+    give_up: Option<Box<dyn FnOnce() + Send>>,
+}
+
+/// The other end of the work: where its results are handed over. Dropping it ends the work.
+pub struct Results<T> {
+    progress: Arc<Progress>,
+    latest: Arc<Mutex<Latest<T>>>,
+    ctx: Context,
+}
+
+impl<T> Results<T> {
+    /// Hands over a result.
+    pub fn publish(&self, result: T) {
+        lock(&self.latest).result = Some(result);
+        self.ctx.request_repaint();
+    }
+
+    /// Lets whoever waits look how far the work has come.
+    #[cfg(target_arch = "wasm32")]
+    pub fn look(&self) {
+        self.ctx.request_repaint();
+    }
+
+    /// How far the work has come, and whether it is given up.
+    pub fn progress(&self) -> &Progress {
+        &self.progress
+    }
+}
+
+impl<T> Drop for Results<T> {
+    fn drop(&mut self) {
+        lock(&self.latest).finished = true;
+        self.ctx.request_repaint();
+    }
 }
 
 struct Latest<T> {
@@ -20,6 +56,9 @@ struct Latest<T> {
 impl<T> Drop for Background<T> {
     fn drop(&mut self) {
         self.cancel();
+        if let Some(give_up) = self.give_up.take() {
+            give_up();
+        }
     }
 }
 
@@ -27,6 +66,23 @@ impl<T> Background<T> {
     /// Asks the work to stop; it does so as soon as it can.
     pub fn cancel(&self) {
         self.progress.cancel();
+    }
+
+    /// Work that somebody else does, with the end where its results are handed over.
+    pub fn of(ctx: &Context) -> (Self, Results<T>) {
+        let latest = Arc::new(Mutex::new(Latest { result: None, finished: false }));
+        let job = Self { progress: Arc::default(), latest, began: Instant::now(), give_up: None };
+        let results =
+            Results { progress: Arc::clone(&job.progress), latest: Arc::clone(&job.latest), ctx: ctx.clone() };
+        (job, results)
+    }
+
+    /// The same, with what is to be done if it is given up.
+    #[cfg(target_arch = "wasm32")]
+    #[must_use]
+    pub fn or_else(mut self, give_up: impl FnOnce() + Send + 'static) -> Self {
+        self.give_up = Some(Box::new(give_up));
+        self
     }
 }
 
@@ -38,19 +94,9 @@ impl<T: Send + 'static> Background<T> {
         name: &str,
         work: impl FnOnce(&Progress, &mut dyn FnMut(T)) + Send + 'static,
     ) -> Option<Self> {
-        let latest = Arc::new(Mutex::new(Latest { result: None, finished: false }));
-        let job = Self { progress: Arc::default(), latest, began: Instant::now() };
-        let (ctx, progress, latest) = (ctx.clone(), Arc::clone(&job.progress), Arc::clone(&job.latest));
-        let all = move || {
-            work(&progress, &mut |result| {
-                lock(&latest).result = Some(result);
-                ctx.request_repaint();
-            });
-            lock(&latest).finished = true;
-            ctx.request_repaint();
-        };
-        std::thread::Builder::new().name(name.to_owned()).spawn(all).ok()?;
-        Some(job)
+        let (job, results) = Self::of(ctx);
+        let all = move || work(results.progress(), &mut |result| results.publish(result));
+        system::begin(name, all).then_some(job)
     }
 
     /// The newest result, if it was not taken yet.

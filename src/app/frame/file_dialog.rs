@@ -1,14 +1,14 @@
-//! The system's dialogue for choosing a file, on a thread of its own so that the window goes on working.
+//! The dialogue for choosing a file. The window goes on working meanwhile.
 
 use crate::app::frame::words::say;
-use egui::Context;
-use std::path::PathBuf;
+use crate::app::system::{self, Picked};
+use egui::{Context, DroppedFileHandle};
 use std::sync::mpsc::{Receiver, TryRecvError, channel};
 
 /// At most one dialogue.
 #[derive(Default)]
 pub struct FileDialog {
-    answer: Option<Receiver<Option<PathBuf>>>,
+    answer: Option<Receiver<Option<Picked>>>,
 }
 
 impl FileDialog {
@@ -19,27 +19,36 @@ impl FileDialog {
 
     /// Opens a dialogue of this title for files of a kind, unless one is open.
     pub fn open_for(&mut self, ctx: &Context, title: String, kind: String, endings: &'static [&'static str]) {
-        if self.answer.is_some() {
+        // A browser does not tell that its dialogue was closed.
+        if self.answer.is_some() && cfg!(not(target_arch = "wasm32")) {
             return;
         }
         let (sender, receiver) = channel();
         let ctx = ctx.clone();
-        let ask = move || {
-            let dialogue = rfd::FileDialog::new().set_title(title).add_filter(kind, endings);
+        let given = move |picked| {
             // The window may have gone away meanwhile; then nobody waits for this.
-            let _ = sender.send(dialogue.pick_file());
+            let _ = sender.send(picked);
             ctx.request_repaint();
         };
-        let started = std::thread::Builder::new().name("file dialogue".to_owned()).spawn(ask);
-        self.answer = started.is_ok().then_some(receiver);
+        self.answer = system::ask_which(title, kind, endings, given).then_some(receiver);
+    }
+
+    /// Takes a file that was dropped on the window as if it were chosen.
+    pub fn take(&mut self, ctx: &Context, file: &DroppedFileHandle) {
+        let (sender, receiver) = channel();
+        system::read_dropped(ctx, file, move |picked| {
+            // As above.
+            let _ = sender.send(Some(picked));
+        });
+        self.answer = Some(receiver);
     }
 
     /// The file that was chosen, once.
-    pub fn chosen(&mut self) -> Option<PathBuf> {
+    pub fn chosen(&mut self) -> Option<Picked> {
         match self.answer.as_ref()?.try_recv() {
-            Ok(path) => {
+            Ok(picked) => {
                 self.answer = None;
-                path
+                picked
             }
             Err(TryRecvError::Empty) => None,
             Err(TryRecvError::Disconnected) => {

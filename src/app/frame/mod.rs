@@ -6,6 +6,7 @@ pub mod file_dialog;
 pub mod menu;
 pub mod problem;
 pub mod scene_menu;
+pub mod task;
 pub mod theme;
 pub mod top_bar;
 pub mod words;

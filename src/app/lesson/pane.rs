@@ -8,7 +8,9 @@ use super::text::{Formulas, TextWish};
 use super::watch::{Changed, Watch};
 use super::{course_list, course_map, step};
 use crate::app::frame::background::Background;
+use crate::app::frame::file_dialog::FileDialog;
 use crate::app::frame::words::{say, say_with};
+use crate::app::system::Picked;
 use crate::lesson::{Finding, Progress};
 use crate::lesson_folder::Lessons;
 use egui::{Context, Ui};
@@ -38,6 +40,7 @@ pub struct LessonPane {
     wanted: Option<String>,
     watch: Option<Watch>,
     exchange: Option<Background<Exchange>>,
+    dialog: FileDialog,
 }
 
 /// What is asked of the rest of the workbench.
@@ -129,6 +132,9 @@ impl LessonPane {
             self.exchange = None;
             self.take_exchange(ctx, exchange);
         }
+        if let Some(picked) = self.dialog.chosen() {
+            self.take_exchange(ctx, progress_file::read(&picked));
+        }
         self.open.as_mut().is_some_and(|open| open.receive(&mut self.progress))
     }
 
@@ -187,7 +193,7 @@ impl LessonPane {
 
     /// Asks for a file to read what was done from.
     pub fn import(&mut self, ctx: &Context) {
-        self.exchange = progress_file::import(ctx);
+        self.dialog.open_for(ctx, say(ctx, "lesson-import"), "JSON".to_owned(), &["json"]);
     }
 
     /// Writes what was done to a file.
@@ -197,7 +203,8 @@ impl LessonPane {
 
     /// Reads what was done from a file.
     pub fn read_progress(&mut self, ctx: &Context, path: &Path) {
-        self.take_exchange(ctx, progress_file::read(path));
+        let picked = Picked { name: path.display().to_string(), text: None };
+        self.take_exchange(ctx, progress_file::read(&picked));
     }
 
     fn take_exchange(&mut self, ctx: &Context, exchange: Exchange) {

@@ -1,6 +1,7 @@
 //! What lies over the picture: hatched pixels with an outline, or a map.
 
 use crate::app::frame::theme::colour;
+use crate::app::system;
 use crate::query::Search;
 use crate::view::{HeatMap, Theme};
 use egui::{Color32, ColorImage, Context, TextureFilter, TextureHandle, TextureOptions};
@@ -60,5 +61,5 @@ pub fn upload(ctx: &Context, name: &str, image: ColorImage) -> TextureHandle {
 pub fn drop_elsewhere<T: Send + 'static>(old: Option<T>) {
     let Some(old) = old else { return };
     // Where no thread can be started it is dropped here.
-    let _ = std::thread::Builder::new().name("drop".to_owned()).spawn(move || drop(old));
+    system::begin("drop", move || drop(old));
 }

@@ -13,7 +13,7 @@ use egui::{
     Color32, ColorImage, Context, Pos2, Rect, RichText, Role, Sense, Slider, TextureHandle, Ui, WidgetInfo, pos2, vec2,
 };
 use std::sync::Arc;
-use std::time::Instant;
+use web_time::Instant;
 
 /// The maps' panel.
 pub struct Maps {

@@ -3,9 +3,9 @@
 use super::Aim;
 use super::product::{Files, Material, Product, Result};
 use crate::app::frame::background::Background;
+use crate::app::system;
 use egui::Context;
-use std::io::Write;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -32,7 +32,7 @@ impl Saving {
             publish(match aim {
                 Aim::Clipboard => product.copy(&material, &watch),
                 Aim::File(path) => save(&material, product, &path, &watch),
-                Aim::Ask => match ask(&product.file_name(&material.name), product.ending()) {
+                Aim::Ask => match system::ask_where(None, &product.file_name(&material.name), product.ending()) {
                     Some(path) => save(&material, product, &path, &watch),
                     None => Result::Given,
                 },
@@ -54,10 +54,6 @@ impl Saving {
     }
 }
 
-fn ask(name: &str, ending: &str) -> Option<PathBuf> {
-    rfd::FileDialog::new().set_file_name(name).add_filter(ending.to_uppercase(), &[ending]).save_file()
-}
-
 fn save(material: &Material, product: Product, path: &Path, watch: &dyn Fn(usize, usize) -> bool) -> Result {
     let stem = path.file_stem().unwrap_or_default().to_string_lossy();
     // The names stand within Markdown, where spaces and brackets would end a link.
@@ -75,24 +71,7 @@ fn save(material: &Material, product: Product, path: &Path, watch: &dyn Fn(usize
 /// Writes what lies beside the file first, so that the file never shows what is not there.
 fn write(path: &Path, files: &Files) -> std::io::Result<()> {
     for (name, text) in &files.beside {
-        write_whole(&path.with_file_name(name), text.as_bytes())?;
+        system::write_whole(&path.with_file_name(name), text.as_bytes())?;
     }
-    write_whole(path, &files.main)
-}
-
-/// Writes a file whole or not at all: what was there before stays if the disk is full.
-fn write_whole(path: &Path, bytes: &[u8]) -> std::io::Result<()> {
-    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    let mut builder = tempfile::Builder::new();
-    builder.prefix(".rayscope-");
-    #[cfg(unix)]
-    {
-        use std::os::unix::fs::PermissionsExt;
-        // As any other new file: the umask takes away what the user wants taken away.
-        builder.permissions(std::fs::Permissions::from_mode(0o666));
-    }
-    let mut file = builder.tempfile_in(folder)?;
-    file.write_all(bytes)?;
-    file.persist(path)?;
-    Ok(())
+    system::write_whole(path, &files.main)
 }

@@ -1,6 +1,7 @@
 //! Recording pixels behind the window's back, so that no click makes it wait, however much its ray does.
 
 use super::recording::Recording;
+use crate::app::system;
 use crate::scene::Scene;
 use crate::story::{Breakpoints, Filter, Level};
 use crate::trace::RayTree;
@@ -69,7 +70,7 @@ impl Recorder {
     /// What was recorded, if it is done within `patience`.
     pub fn receive(&mut self, ctx: &Context, patience: Duration) -> Option<Recorded> {
         let (_, receiver) = self.running.as_ref()?;
-        let recorded = match receiver.recv_timeout(patience) {
+        let recorded = match system::receive_within(receiver, patience) {
             Ok(recorded) => Some(recorded),
             Err(RecvTimeoutError::Timeout) => return None,
             Err(RecvTimeoutError::Disconnected) => None,
@@ -91,7 +92,7 @@ impl Recorder {
         let gone: Vec<_> = self.retired.extract_if(.., |tree| Arc::strong_count(tree) == 1).collect();
         if !gone.is_empty() {
             // Where no thread can be started it is dropped here.
-            let _ = std::thread::Builder::new().name("drop".to_owned()).spawn(move || drop(gone));
+            system::begin("drop", move || drop(gone));
         }
     }
 
@@ -103,8 +104,7 @@ impl Recorder {
             let _ = sender.send(record(wanted));
             ctx.request_repaint();
         };
-        let started = std::thread::Builder::new().name("record".to_owned()).spawn(work);
-        self.running = started.ok().map(|_| (scene, receiver));
+        self.running = system::begin("record", work).then_some((scene, receiver));
     }
 }
 

@@ -1,0 +1,75 @@
+//! What the page asks of the workbench: for the mirror, for the page around an embedded one, and for tests.
+
+use crate::app::workbench::Workbench;
+use crate::record::EventId;
+use crate::share::link::Link;
+use crate::story::Step;
+use serde::Deserialize;
+
+/// A request, as JSON: `{"do": "select", "event": 12}`.
+#[derive(Deserialize)]
+#[serde(tag = "do", rename_all = "snake_case", deny_unknown_fields)]
+enum Asked {
+    /// Selects an event of the story.
+    Select { event: EventId },
+    /// Goes to the next event.
+    Next,
+    /// Goes to the event before.
+    Back,
+    /// Goes into the event.
+    Into,
+    /// Goes out of the event.
+    Out,
+    /// Records a pixel.
+    Pixel { x: u32, y: u32 },
+    /// Follows a link.
+    Open { link: String },
+    /// Opens a lesson, at a step counted from 0.
+    Lesson { lesson: String, step: Option<usize> },
+}
+
+/// Does what is asked. What makes no sense is told in the page's console, where whoever wrote it looks.
+pub fn carry_out(workbench: &mut Workbench, text: &str) {
+    match serde_json::from_str(text) {
+        Ok(asked) => asked_of(workbench, asked),
+        Err(error) => log::warn!("rayscope was asked for something that it does not know: {error}: {text}"),
+    }
+}
+
+fn asked_of(workbench: &mut Workbench, asked: Asked) {
+    let ctx = workbench.ctx();
+    match asked {
+        Asked::Select { event } => {
+            let is_there = |recording: &crate::app::Recording| (event as usize) < recording.tree.events.len();
+            if workbench.recording().is_some_and(is_there) {
+                workbench.select(event);
+            }
+        }
+        Asked::Next => step(workbench, Step::Next),
+        Asked::Back => step(workbench, Step::Back),
+        Asked::Into => step(workbench, Step::Into),
+        Asked::Out => step(workbench, Step::Out),
+        Asked::Pixel { x, y } => {
+            let image = workbench.scene().map(|open| open.scene.image);
+            if image.is_some_and(|image| x < image.width && y < image.height) {
+                workbench.record([x, y]);
+            }
+        }
+        Asked::Open { link } => match link.parse::<Link>() {
+            Ok(link) => workbench.follow(&ctx, &link),
+            Err(error) => workbench.refuse("link", error.to_string()),
+        },
+        Asked::Lesson { lesson, step } => {
+            workbench.open_lesson(&lesson);
+            if let Some(step) = step {
+                workbench.go_to_step(step);
+            }
+        }
+    }
+}
+
+fn step(workbench: &mut Workbench, step: Step) {
+    if let Some(recording) = &mut workbench.recording {
+        recording.step(step);
+    }
+}

@@ -1,0 +1,98 @@
+//! The workbench in a page.
+
+use super::account::Account;
+use super::address::Address;
+use super::asked::carry_out;
+use super::{Journals, host, worker};
+use crate::app::window::{Start, Window};
+use crate::folder::Outside;
+use crate::scene::embedded_scene;
+use eframe::{CreationContext, Frame, Storage, WebOptions, WebRunner};
+use egui::{Context, Ui};
+use std::cell::RefCell;
+use std::rc::Rc;
+use std::time::Duration;
+use wasm_bindgen::{JsCast, JsValue};
+use web_sys::HtmlCanvasElement;
+
+/// The scene of the first visit: that of the README.
+const FIRST: &str = "csg/bowl";
+/// What was done is kept this often: a page may go away without a word.
+const KEEPING: Duration = Duration::from_secs(2);
+
+/// Starts the workbench on the page's canvas; in a worker, waits for tasks.
+pub fn run_in_browser() {
+    if web_sys::window().is_none() {
+        worker::listen();
+        return;
+    }
+    // A second logger would be refused; the first one does as well.
+    let _ = eframe::WebLogger::init(log::LevelFilter::Warn);
+    let Ok(canvas) = host::property("canvas").dyn_into::<HtmlCanvasElement>() else {
+        host::failed("the page has no canvas to draw on");
+        return;
+    };
+    wasm_bindgen_futures::spawn_local(async move {
+        let create = |creation: &CreationContext| Page::new(creation);
+        let app =
+            Box::new(move |creation: &CreationContext<'_>| Ok(Box::new(create(creation)) as Box<dyn eframe::App>));
+        if let Err(error) = WebRunner::new().start(canvas, WebOptions::default(), app).await {
+            host::failed(&error.as_string().unwrap_or_else(|| format!("{error:?}")));
+        }
+    });
+}
+
+/// The workbench with what a page has besides: an address, and somebody who listens.
+struct Page {
+    window: Window,
+    address: Address,
+    account: Account,
+    /// What the page has asked for since the last frame.
+    asked: Rc<RefCell<Vec<String>>>,
+}
+
+impl Page {
+    fn new(creation: &CreationContext) -> Self {
+        let address = Address::default();
+        let text = embedded_scene(FIRST).map_or_else(String::new, |scene| scene.text.to_owned());
+        let link = address.link().map(Box::new);
+        let start = Start { name: FIRST.to_owned(), text, outside: Outside::Refused, link, lessons: None };
+        let mut window = Window::new(creation, start);
+        window.workbench.keep_edits(Journals::in_browser());
+        Self { window, address, account: Account::offered(), asked: listen(&creation.egui_ctx) }
+    }
+}
+
+/// Lets the page ask for something; it is done in the next frame.
+fn listen(ctx: &Context) -> Rc<RefCell<Vec<String>>> {
+    let asked = Rc::new(RefCell::new(Vec::new()));
+    let (inbox, ctx) = (Rc::clone(&asked), ctx.clone());
+    host::offer("receive", move |value| {
+        inbox.borrow_mut().extend(value.as_string());
+        ctx.request_repaint();
+        JsValue::UNDEFINED
+    });
+    asked
+}
+
+impl eframe::App for Page {
+    fn ui(&mut self, ui: &mut Ui, frame: &mut Frame) {
+        let workbench = &mut self.window.workbench;
+        for text in self.asked.take() {
+            carry_out(workbench, &text);
+        }
+        self.address.lead(workbench);
+        self.window.ui(ui, frame);
+        let workbench = &mut self.window.workbench;
+        self.address.follow(ui.ctx(), workbench);
+        self.account.give(ui.ctx(), workbench);
+    }
+
+    fn save(&mut self, storage: &mut dyn Storage) {
+        self.window.save(storage);
+    }
+
+    fn auto_save_interval(&self) -> Duration {
+        KEEPING
+    }
+}

@@ -1,0 +1,47 @@
+//! A file that a person chose or dropped.
+
+use std::path::Path;
+
+/// A file that was chosen in a dialogue or dropped on the window.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Picked {
+    /// Its path; in a browser, which tells no more, its name.
+    pub name: String,
+    /// What is in it, or why that cannot be read; none where it can be read by its path.
+    pub text: Option<Result<String, Unread>>,
+}
+
+/// Why a file is no text.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Unread {
+    /// What is in it is no UTF-8.
+    NoText,
+    /// The system says why.
+    System(String),
+}
+
+impl Picked {
+    /// A file with what was read of it.
+    pub fn read(name: String, bytes: Result<Vec<u8>, String>) -> Self {
+        let text = bytes.map_err(Unread::System).and_then(|bytes| String::from_utf8(bytes).map_err(|_| Unread::NoText));
+        Self { name, text: Some(text) }
+    }
+
+    /// What is in it.
+    ///
+    /// # Errors
+    /// Why it cannot be read.
+    pub fn whole(&self) -> Result<String, String> {
+        match &self.text {
+            None => std::fs::read_to_string(&self.name).map_err(|error| error.to_string()),
+            Some(Ok(text)) => Ok(text.clone()),
+            Some(Err(Unread::NoText)) => Err("it is no text".to_owned()),
+            Some(Err(Unread::System(error))) => Err(error.clone()),
+        }
+    }
+
+    /// Whether its name ends so.
+    pub fn ends_in(&self, ending: &str) -> bool {
+        Path::new(&self.name).extension().is_some_and(|own| own == ending)
+    }
+}
