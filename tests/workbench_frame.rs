@@ -223,3 +223,35 @@ fn what_stands_below_a_broken_text_stays_inside_its_panel() {
         assert!(panel.x_range().contains(words.right()), "{words} of {panel}");
     }
 }
+
+#[test]
+fn a_menu_is_as_high_as_its_lines_where_the_window_has_room_for_them() {
+    let mut bench = open("csg/bowl");
+    for menu in ["Step", "Share"] {
+        click_button(&mut bench, menu);
+        let (_, commands) = Command::areas()
+            .into_iter()
+            .find(|(word, _)| rayscope::words::say(Language::English, word) == menu)
+            .expect("there is such a menu");
+        let last = rayscope::words::say(Language::English, commands.last().expect("it has commands").word());
+        let line = bench.get_by_label_contains(&last).rect();
+        bench.event(Event::PointerMoved(line.center()));
+        settle(&mut bench);
+        let about = commands.last().expect("it has commands").word();
+        let about = rayscope::words::say(Language::English, &format!("{about}-about"));
+        wait_until(&mut bench, "what the line under the pointer says", |bench| {
+            bench.query_by_label_contains(&about).is_some()
+        });
+        press(&mut bench, Key::Escape);
+    }
+}
+
+#[test]
+fn layouts_and_panels_of_one_name_are_told_apart() {
+    let mut bench = open("hello/sphere");
+    press_with(&mut bench, Modifiers::COMMAND, Key::K);
+    type_text(&mut bench, "lesson");
+    for title in ["Layout: Lesson", "Panel: Lesson"] {
+        assert_eq!(bench.query_all_by_label_contains(title).count(), 1, "{title}");
+    }
+}
