@@ -255,3 +255,17 @@ fn layouts_and_panels_of_one_name_are_told_apart() {
         assert_eq!(bench.query_all_by_label_contains(title).count(), 1, "{title}");
     }
 }
+
+#[test]
+fn what_is_presented_grows_with_the_window() {
+    for (size, zoom) in [((1280.0, 800.0), 1.5), ((1920.0, 1080.0), 2.25), ((960.0, 600.0), 1.5)] {
+        let mut bench = open_at("csg/bowl", Vec2::from(size));
+        run(&mut bench, ViewCommand::Layout(Preset::Present));
+        for _ in 0..8 {
+            settle(&mut bench);
+        }
+        assert_eq!(bench.ctx.zoom_factor(), zoom, "{size:?}");
+        run(&mut bench, ViewCommand::Layout(Preset::Learn));
+        assert_eq!(bench.ctx.zoom_factor(), 1.0, "{size:?}");
+    }
+}
