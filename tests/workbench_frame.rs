@@ -269,3 +269,18 @@ fn what_is_presented_grows_with_the_window() {
         assert_eq!(bench.ctx.zoom_factor(), 1.0, "{size:?}");
     }
 }
+
+#[test]
+fn the_tab_of_a_panel_that_comes_to_the_front_is_in_sight() {
+    let mut bench = open("csg/bowl");
+    run(&mut bench, ViewCommand::Layout(Preset::Lesson));
+    reveal(&mut bench, Pane::Detail);
+    for pane in [Pane::Overview, Pane::Shading, Pane::Detail] {
+        reveal(&mut bench, pane);
+        settle(&mut bench);
+        let panel = workbench(&bench).dock().rect_of(pane).expect("it is seen");
+        let name = rayscope::words::say(Language::English, pane.word());
+        let tab = bench.get_by_role_and_label(Role::Button, &name).rect();
+        assert!(panel.x_range().contains(tab.left()) && panel.x_range().contains(tab.right()), "{name}: {tab} {panel}");
+    }
+}
