@@ -284,3 +284,9 @@ fn the_tab_of_a_panel_that_comes_to_the_front_is_in_sight() {
         assert!(panel.x_range().contains(tab.left()) && panel.x_range().contains(tab.right()), "{name}: {tab} {panel}");
     }
 }
+
+#[test]
+fn names_in_the_words_of_a_scene_are_shown_without_backticks() {
+    let bench = open("lens/focus");
+    assert!(bench.query_by_label_contains("Change focus and see").is_some());
+}
