@@ -211,14 +211,14 @@ fn a_menu_is_not_wider_than_its_longest_line() {
 #[test]
 fn what_stands_below_a_broken_text_stays_inside_its_panel() {
     for language in Language::ALL {
-        let mut bench = hands::editing::open_editor("hello/sphere");
+        let mut bench = open("hello/sphere");
+        reveal(&mut bench, Pane::Editor);
         run(&mut bench, ViewCommand::Language(language));
         hands::editing::put_cursor(&mut bench, "\"field_of_view\": 32", true);
         type_text(&mut bench, "0");
-        wait_until(&mut bench, "the error", |bench| workbench(bench).is_stale());
-        settle(&mut bench);
         let panel = workbench(&bench).dock().rect_of(Pane::Editor).expect("it is seen");
         let about = rayscope::words::say(language, "edit-stale-about");
+        wait_until(&mut bench, "the error", |bench| bench.query_by_label(&about).is_some());
         let words = bench.get_by_label(&about).rect();
         assert!(panel.x_range().contains(words.right()), "{words} of {panel}");
     }
