@@ -361,6 +361,24 @@ fn left_behind(name: &str, saved: &str, edited: &str) -> tempfile::TempDir {
 }
 
 #[test]
+fn the_tour_of_the_first_visit_waits_until_the_offer_is_answered() {
+    let saved = embedded_scene("hello/sphere").expect("embedded").text;
+    let edited = saved.replace("\"translate\": [0, 0, 1]", "\"translate\": [0, 0, 1.5]");
+    let folder = left_behind("hello/sphere", saved, &edited);
+    let mut bench = open_at("csg/bowl", SIZE);
+    workbench_mut(&mut bench).keep_edits_in(folder.path());
+    workbench_mut(&mut bench).offer_tour();
+    settle(&mut bench);
+    assert!(bench.query_by_label_contains("Recover the edit of hello/sphere from").is_some());
+    assert!(bench.query_by_label("Stop 1 of 6").is_none(), "it would lie over the question");
+    // Enter and Escape belong to the question, too.
+    press(&mut bench, Key::Escape);
+    assert!(bench.query_by_label_contains("Recover the edit of hello/sphere from").is_none());
+    assert!(bench.query_by_label("Stop 1 of 6").is_some(), "it was not passed over");
+    assert!(!workbench(&bench).settings().is_toured);
+}
+
+#[test]
 fn after_a_crash_the_next_start_offers_the_edit_back() {
     let saved = embedded_scene("hello/sphere").expect("embedded").text;
     let edited = saved.replace("\"translate\": [0, 0, 1]", "\"translate\": [0, 0, 1.5]");

@@ -207,3 +207,86 @@ fn a_menu_is_not_wider_than_its_longest_line() {
     let line = bench.get_by_label_contains("Save steps as animated PNG").rect();
     assert!(line.width() < 360.0, "{line}");
 }
+
+#[test]
+fn what_stands_below_a_broken_text_stays_inside_its_panel() {
+    for language in Language::ALL {
+        let mut bench = open("hello/sphere");
+        reveal(&mut bench, Pane::Editor);
+        run(&mut bench, ViewCommand::Language(language));
+        hands::editing::put_cursor(&mut bench, "\"field_of_view\": 32", true);
+        type_text(&mut bench, "0");
+        let panel = workbench(&bench).dock().rect_of(Pane::Editor).expect("it is seen");
+        let about = rayscope::words::say(language, "edit-stale-about");
+        wait_until(&mut bench, "the error", |bench| bench.query_by_label(&about).is_some());
+        let words = bench.get_by_label(&about).rect();
+        assert!(panel.x_range().contains(words.right()), "{words} of {panel}");
+    }
+}
+
+#[test]
+fn a_menu_is_as_high_as_its_lines_where_the_window_has_room_for_them() {
+    let mut bench = open("csg/bowl");
+    for menu in ["Step", "Share"] {
+        click_button(&mut bench, menu);
+        let (_, commands) = Command::areas()
+            .into_iter()
+            .find(|(word, _)| rayscope::words::say(Language::English, word) == menu)
+            .expect("there is such a menu");
+        let last = rayscope::words::say(Language::English, commands.last().expect("it has commands").word());
+        let line = bench.get_by_label_contains(&last).rect();
+        bench.event(Event::PointerMoved(line.center()));
+        settle(&mut bench);
+        let about = commands.last().expect("it has commands").word();
+        let about = rayscope::words::say(Language::English, &format!("{about}-about"));
+        wait_until(&mut bench, "what the line under the pointer says", |bench| {
+            bench.query_by_label_contains(&about).is_some()
+        });
+        press(&mut bench, Key::Escape);
+    }
+}
+
+#[test]
+fn layouts_and_panels_of_one_name_are_told_apart() {
+    let mut bench = open("hello/sphere");
+    press_with(&mut bench, Modifiers::COMMAND, Key::K);
+    type_text(&mut bench, "lesson");
+    for title in ["Layout: Lesson", "Panel: Lesson"] {
+        assert_eq!(bench.query_all_by_label_contains(title).count(), 1, "{title}");
+    }
+}
+
+#[test]
+fn what_is_presented_grows_with_the_window() {
+    for (size, zoom) in [((1280.0, 800.0), 1.5), ((1920.0, 1080.0), 2.25), ((960.0, 600.0), 1.5)] {
+        let mut bench = open_at("csg/bowl", Vec2::from(size));
+        run(&mut bench, ViewCommand::Layout(Preset::Present));
+        for _ in 0..8 {
+            settle(&mut bench);
+        }
+        assert_eq!(bench.ctx.zoom_factor(), zoom, "{size:?}");
+        run(&mut bench, ViewCommand::Layout(Preset::Learn));
+        assert_eq!(bench.ctx.zoom_factor(), 1.0, "{size:?}");
+    }
+}
+
+#[test]
+fn the_tab_of_a_panel_that_comes_to_the_front_is_in_sight() {
+    let mut bench = open("csg/bowl");
+    run(&mut bench, ViewCommand::Layout(Preset::Lesson));
+    reveal(&mut bench, Pane::Detail);
+    for pane in [Pane::Overview, Pane::Shading, Pane::Detail] {
+        reveal(&mut bench, pane);
+        settle(&mut bench);
+        let panel = workbench(&bench).dock().rect_of(pane).expect("it is seen");
+        let name = rayscope::words::say(Language::English, pane.word());
+        let tab = bench.get_by_role_and_label(Role::Button, &name).rect();
+        assert!(panel.x_range().contains(tab.left()) && panel.x_range().contains(tab.right()), "{name}: {tab} {panel}");
+    }
+}
+
+#[test]
+fn names_in_the_words_of_a_scene_are_shown_without_backticks() {
+    let bench = open("lens/focus");
+    assert!(bench.query_by_label_contains("Change focus and see").is_some());
+}

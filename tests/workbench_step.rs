@@ -268,6 +268,16 @@ fn the_timeline_is_a_slider_that_is_clicked_dragged_and_stepped() {
 }
 
 #[test]
+fn the_timeline_takes_no_more_room_than_there_is_something_in_it() {
+    let [low, high] = ["hello/sphere", "spectrum/prism"].map(|scene| {
+        let bench = open(scene);
+        bench.get_by_role_and_label(Role::Slider, "Timeline").rect().height()
+    });
+    assert!(low < 75.0, "two lanes need little: {low}");
+    assert!(high > low && high <= 108.0, "many lanes share what there is: {high}");
+}
+
+#[test]
 fn what_was_left_out_is_listed_with_its_reason_and_leads_to_its_event() {
     let mut bench = open("csg/bowl");
     press(&mut bench, Key::L);
@@ -313,4 +323,17 @@ fn every_button_of_the_story_stays_inside_its_panel_at_every_size_and_in_both_la
             assert!(!rows(&bench).is_empty());
         }
     }
+}
+
+#[test]
+fn a_row_that_is_seen_whole_is_not_said_again_under_the_pointer() {
+    let mut bench = open_at("csg/bowl", Vec2::new(1920.0, 1080.0));
+    tell(&mut bench, Level::Working);
+    let text = row_of(&bench, "Compute the hit point");
+    let at = bench.get_by_role_and_label(Role::TreeItem, &text).rect().center();
+    bench.event(Event::PointerMoved(at));
+    for _ in 0..40 {
+        bench.step();
+    }
+    assert_eq!(bench.query_all_by_label(&text).count(), 1, "the row alone says it");
 }

@@ -15,7 +15,8 @@ impl Workbench {
     /// Shows the workbench in all of `ui` and lets it be used.
     pub fn ui(&mut self, ui: &mut Ui) {
         let ctx = ui.ctx().clone();
-        self.settings.apply(&ctx, self.dock.preset().magnification());
+        let window = ctx.content_rect().size() * ctx.zoom_factor();
+        self.settings.apply(&ctx, self.dock.preset().magnification(window));
         self.take_files(&ctx);
         self.receive_opened(&ctx);
         self.follow_lesson(&ctx);

@@ -227,18 +227,20 @@ pub fn shortened(text: &str, width: f64, size: f64, face: Face) -> String {
     String::new()
 }
 
-/// A text in two lines at most, each at most `width` wide.
+/// A text in three lines at most, each at most `width` wide.
 pub fn wrapped(text: &str, width: f64, size: f64, face: Face) -> Vec<String> {
     use super::fonts::text_width;
-    if text_width(text, size, face) <= width {
-        return vec![text.to_owned()];
+    let (mut lines, mut rest) = (Vec::new(), text);
+    while lines.len() < 2 && text_width(rest, size, face) > width {
+        let breaks = rest.match_indices(' ').map(|(place, _)| place);
+        let Some(place) = breaks.take_while(|&place| text_width(&rest[..place], size, face) <= width).last() else {
+            break;
+        };
+        lines.push(rest[..place].to_owned());
+        rest = &rest[place + 1..];
     }
-    let breaks = text.match_indices(' ').map(|(place, _)| place);
-    let mut fits = breaks.filter(|&place| text_width(&text[..place], size, face) <= width);
-    match fits.next_back() {
-        Some(place) => vec![text[..place].to_owned(), shortened(&text[place + 1..], width, size, face)],
-        None => vec![shortened(text, width, size, face)],
-    }
+    lines.push(shortened(rest, width, size, face));
+    lines
 }
 
 #[cfg(test)]
@@ -289,5 +291,7 @@ mod tests {
         assert!(short.ends_with('…') && short.starts_with("the"), "{short}");
         assert_eq!(shortened("fox", 60.0, 11.0, Face::Sans), "fox");
         assert_eq!(wrapped("the quick brown fox", 70.0, 11.0, Face::Sans), ["the quick", "brown fox"]);
+        let three = wrapped("the quick brown fox jumps over the dog", 90.0, 11.0, Face::Sans);
+        assert!(three.len() == 3 && three.concat().ends_with("dog"), "{three:?}");
     }
 }

@@ -74,6 +74,6 @@ pub use svg::{escaped, svg};
 pub use text::{
     Detail, DetailLine, Row, beneath, brief, brief_vector, detail, equated, row, significant, span_list, tree_text,
 };
-pub use timeline::{TimelineScale, timeline};
+pub use timeline::{TimelineScale, timeline, timeline_height};
 pub use views::{ALL_VIEWS, Subject, View, primitive_behind, search_behind};
 pub use wireframe::{WireLine, Wireframe};

@@ -19,7 +19,13 @@ const HEADS: f64 = 22.0;
 /// Height of a line of rare events.
 const NOTABLE_LINE: f64 = 11.0;
 /// Height of the axis with its numbers.
-const AXIS: f64 = 15.0;
+const AXIS: f64 = 18.0;
+/// Height of a tick of the axis; its number begins below it.
+const TICK: f64 = 3.0;
+/// Above everything.
+const TOP: f64 = 3.0;
+/// Height of the flags of breakpoints.
+const FLAGS: f64 = 9.0;
 /// Width of a place in a line of rare events: that of a sign.
 const SIGN: f64 = 8.0;
 /// Width of a bar.
@@ -147,7 +153,7 @@ pub fn timeline(
     let drawing = Drawing::new(size, palette.ground);
     let scale = TimelineScale::new(drawing.width, tree.end());
     let survey = Survey::of(tree, &scale);
-    let mut strip = Strip { tree, palette, scale, drawing, top: 3.0 };
+    let mut strip = Strip { tree, palette, scale, drawing, top: TOP };
     strip.stops(stops);
     strip.notable(&survey);
     strip.lanes(&survey);
@@ -157,6 +163,25 @@ pub fn timeline(
     }
     strip.drawing.description = describe(tree, &survey, stops.len());
     Some(strip.drawing)
+}
+
+/// The height, in points, at which a tree's timeline has all its lines, and lanes as high as they become; more would stay empty.
+#[must_use]
+pub fn timeline_height(tree: &RayTree, has_stops: bool) -> f64 {
+    let (mut notable, mut lanes) = ([false; Notable::ALL.len()], 1);
+    for event in &tree.events {
+        if let Some(kind) = Notable::of(&event.what) {
+            notable[kind as usize] = true;
+        }
+        if let What::Ray { ray, depth, .. } = &event.what
+            && *ray != RayKind::Camera
+        {
+            lanes = lanes.max(depth.saturating_add(1));
+        }
+    }
+    let lines = notable.iter().filter(|is_there| **is_there).count();
+    let flags = if has_stops { FLAGS } else { 0.0 };
+    TOP + flags + NOTABLE_LINE * lines as f64 + LANE.end() * f64::from(lanes) + AXIS
 }
 
 /// A ray and the events that are its own.
@@ -251,7 +276,7 @@ impl Strip<'_> {
                 self.drawing.put(Form::Area { rings: vec![flag], fill: self.palette.bad }, stop);
             }
         }
-        self.top += 9.0;
+        self.top += FLAGS;
     }
 
     /// One line for each kind that there is, as far as there is room beside one lane and the axis.
@@ -354,13 +379,13 @@ impl Strip<'_> {
         let ink = self.palette.faint;
         let ends = vec![[self.scale.left, y], [self.scale.right, y]];
         self.drawing.put(Form::Line { points: ends, stroke: Stroke::solid(self.palette.grid, 1.0) }, None);
-        let baseline = y + AXIS - 5.5;
+        let baseline = y + TICK + 1.5 + 0.72 * TEXT;
         let (events, mut free) = (self.tree.end(), self.scale.left);
         let step = round_step(events, (self.scale.right - self.scale.left) / 70.0);
         let numbers = std::iter::once(1).chain((1..).map(|k| k * step).take_while(|&n| n < events));
         for number in numbers.chain([events]) {
             let x = self.scale.x(number - 1);
-            let tick = vec![[x, y], [x, y + 3.0]];
+            let tick = vec![[x, y], [x, y + TICK]];
             let half = 3.0 * number.to_string().len() as f64;
             let middle = x.clamp(self.scale.left + half, (self.scale.right - half).max(self.scale.left + half));
             // The last number has its place reserved.

@@ -141,3 +141,34 @@ fn breakpoints_and_the_current_place_are_marked() {
     assert_eq!(drawing.marks.last().unwrap().event, Some(12));
     assert!(drawing.description.ends_with("Breakpoints stop at 2 events."), "{}", drawing.description);
 }
+
+#[test]
+fn a_timeline_of_the_height_that_it_needs_fills_it_and_stays_within() {
+    for rays in [1, 3, 40] {
+        let tree = many(rays, 0);
+        let height = timeline_height(&tree, false);
+        let drawing = timeline(&tree, &[], None, [600.0, height], Theme::Light).unwrap();
+        let baselines = drawing.marks.iter().filter_map(|mark| match &mark.form {
+            Form::Text(text) => Some(text.at[1]),
+            _ => None,
+        });
+        let lowest = baselines.fold(0.0, f64::max);
+        assert!(lowest < height && lowest > height - 8.0, "{rays} rays: {lowest} of {height}");
+    }
+}
+
+#[test]
+fn the_numbers_of_the_axis_stand_below_its_ticks() {
+    let drawing = drawn(&many(40, 0));
+    let ticks = drawing.marks.iter().filter_map(|mark| match &mark.form {
+        Form::Line { points, .. } if points.len() == 2 && points[0][0] == points[1][0] => Some(points[1]),
+        _ => None,
+    });
+    let end = ticks.map(|end| end[1]).fold(0.0, f64::max);
+    let numbers = drawing.marks.iter().filter_map(|mark| match &mark.form {
+        Form::Text(text) if text.at[1] > end => Some(text.at[1] - 0.72 * text.size),
+        _ => None,
+    });
+    let top = numbers.fold(f64::INFINITY, f64::min);
+    assert!(top.is_finite() && top > end, "a number from {top}, a tick to {end}");
+}

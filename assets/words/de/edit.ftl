@@ -50,7 +50,7 @@ edit-saved = gesichert
 edit-unsaved = • nicht gesichert
 edit-changed = geändert
 edit-stale = veraltet: von einem älteren Text
-edit-stale-about = Bild und Geschichte sind noch die des Textes vor dem Fehler.
+edit-stale-about = Bild und Geschichte sind vom Text vor dem Fehler.
 edit-no-journal = wird für einen Absturz nicht aufbewahrt: { $why }
 edit-untitled = ohne Namen
 

@@ -60,6 +60,8 @@ pane-accuracy-about = Was Genauigkeit an Zeit kostet, für dieses Bild und für 
 pane-effects = Effekte
 pane-effects-about = Was die Szene verlangt und was jeder Effekt kostet.
 
+view-layouts = Anordnung
+view-panes = Feld
 view-reset-layout = Diese Anordnung zurücksetzen
 view-reset-layout-about = Die Felder dieser Anordnung wieder dorthin legen, wo sie am Anfang waren.
 view-next-pane = Nächstes Feld

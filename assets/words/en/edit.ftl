@@ -50,7 +50,7 @@ edit-saved = saved
 edit-unsaved = • not saved
 edit-changed = changed
 edit-stale = stale: of an older text
-edit-stale-about = The picture and the story are still those of the text before the error.
+edit-stale-about = Picture and story are of the text before the error.
 edit-no-journal = cannot be kept in case of a crash: { $why }
 edit-untitled = untitled
 

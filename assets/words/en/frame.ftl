@@ -60,6 +60,8 @@ pane-accuracy-about = What accuracy costs in time, of this image and of this ray
 pane-effects = Effects
 pane-effects-about = What the scene calls for, and what each effect costs.
 
+view-layouts = Layout
+view-panes = Panel
 view-reset-layout = Reset this layout
 view-reset-layout-about = Put the panels of this layout back to where they were at first.
 view-next-pane = Next panel

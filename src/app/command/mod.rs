@@ -34,6 +34,12 @@ pub trait Commands: Copy + 'static {
     /// Its name in the catalogue of words; with `-about` behind it, that of what it does.
     fn word(self) -> &'static str;
 
+    /// The name, in the catalogue of words, of the group within its menu that it belongs to, if it has one. What has the same name
+    /// in two groups is told apart by it.
+    fn group(self) -> Option<&'static str> {
+        None
+    }
+
     /// The key that gives it.
     fn key(self) -> Option<KeyboardShortcut>;
 
@@ -75,6 +81,12 @@ macro_rules! areas {
             #[must_use]
             pub fn word(self) -> &'static str {
                 match self { $(Self::$area(command) => command.word()),+ }
+            }
+
+            /// The name of its group within its menu in the catalogue of words, if it has one.
+            #[must_use]
+            pub fn group(self) -> Option<&'static str> {
+                match self { $(Self::$area(command) => command.group()),+ }
             }
 
             /// The key that gives it.

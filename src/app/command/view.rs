@@ -125,6 +125,14 @@ impl Commands for ViewCommand {
         }
     }
 
+    fn group(self) -> Option<&'static str> {
+        match self {
+            Self::Layout(_) | Self::ResetLayout => Some("view-layouts"),
+            Self::Pane(_) => Some("view-panes"),
+            _ => None,
+        }
+    }
+
     fn key(self) -> Option<KeyboardShortcut> {
         let command = |key| Some(KeyboardShortcut::new(Modifiers::COMMAND, key));
         let resize = |key| Some(KeyboardShortcut::new(Modifiers::COMMAND.plus(Modifiers::ALT), key));

@@ -6,7 +6,7 @@ use crate::app::frame::words::say;
 use crate::app::pane::Pane;
 use crate::app::workbench::Workbench;
 use egui::{
-    Align, Color32, FontId, Layout, Rect, RichText, Role, Sense, Stroke, StrokeKind, Ui, UiBuilder, Visuals,
+    Align, Color32, FontId, Id, Layout, Rect, RichText, Role, Sense, Stroke, StrokeKind, Ui, UiBuilder, Visuals,
     WidgetInfo, WidgetText, vec2,
 };
 use egui_tiles::{Behavior, SimplificationOptions, TabState, Tabs, TileId, Tiles, UiResponse};
@@ -17,6 +17,10 @@ const HEADER: f32 = 30.0;
 const GAP: f32 = 6.0;
 /// Room at both sides of a tab's title, in points.
 const BESIDE_TITLE: f32 = 7.0;
+/// Width of an arrow with which tabs are scrolled, with the space beside it, in points.
+const ARROW: f32 = HEADER + 8.0;
+/// In so many frames the tabs are scrolled to the one that is seen: how wide they are together is not known in the first.
+const TRIES: u8 = 3;
 /// No panel becomes narrower or lower than this, in points.
 const SMALLEST: f32 = 96.0;
 
@@ -100,11 +104,12 @@ impl Behavior<Pane> for Docking<'_> {
         BESIDE_TITLE
     }
 
-    fn top_bar_right_ui(&mut self, tiles: &Tiles<Pane>, ui: &mut Ui, _tile: TileId, tabs: &Tabs, _scroll: &mut f32) {
+    fn top_bar_right_ui(&mut self, tiles: &Tiles<Pane>, ui: &mut Ui, tile: TileId, tabs: &Tabs, scroll: &mut f32) {
         if let Some(pane) = tabs.active.and_then(|active| tiles.get_pane(&active)) {
             ui.add_space(6.0);
-            let room = ui.available_width() - width_of(tiles, ui, tabs);
+            let room = ui.available_width() - widths(tiles, ui, tabs).map(|(_, width)| width).sum::<f32>();
             header::show(ui, self.workbench, *pane, room);
+            show_tab(tiles, ui, tile, tabs, scroll);
         }
     }
 
@@ -155,13 +160,36 @@ impl Docking<'_> {
     }
 }
 
-/// How much room all tabs of a header take.
-fn width_of(tiles: &Tiles<Pane>, ui: &Ui, tabs: &Tabs) -> f32 {
+/// How much room each tab of a header takes.
+fn widths<'a>(tiles: &'a Tiles<Pane>, ui: &'a Ui, tabs: &'a Tabs) -> impl Iterator<Item = (TileId, f32)> + 'a {
     let width = |pane: &Pane| {
         let title = say(ui.ctx(), pane.word());
         ui.painter().layout_no_wrap(title, title_font(), Color32::WHITE).size().x + 2.0 * BESIDE_TITLE
     };
-    tabs.children.iter().filter_map(|tile| tiles.get_pane(tile)).map(width).sum()
+    tabs.children.iter().filter_map(move |&tile| Some((tile, width(tiles.get_pane(&tile)?))))
+}
+
+/// Scrolls to the tab of the panel that is seen when another one comes to the front, or the header's width changes.
+fn show_tab(tiles: &Tiles<Pane>, ui: &Ui, tile: TileId, tabs: &Tabs, scroll: &mut f32) {
+    let (place, room) = (Id::unique(("tab in sight", tile)), ui.available_width());
+    let (active, width, tries) = ui.data(|data| data.get_temp(place)).unwrap_or((None, 0.0, 0));
+    let is_known = active == tabs.active && (room - width).abs() < 1.0;
+    let tries = if is_known { tries } else { 0 };
+    if tries == TRIES {
+        return;
+    }
+    ui.data_mut(|data| data.insert_temp(place, (tabs.active, room, tries + 1)));
+    ui.ctx().request_repaint();
+    let mut left = 0.0;
+    for (tab, width) in widths(tiles, ui, tabs) {
+        if Some(tab) == tabs.active {
+            *scroll = scroll.max(left + width - (room - 2.0 * ARROW)).min(left);
+        }
+        left += width;
+    }
+    if left <= room {
+        *scroll = 0.0;
+    }
 }
 
 fn title_font() -> FontId {

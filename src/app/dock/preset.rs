@@ -2,8 +2,12 @@
 
 use super::dock_id;
 use crate::app::pane::Pane;
+use egui::Vec2;
 use egui_tiles::{Container, Linear, LinearDir, TileId, Tiles, Tree};
 use serde::{Deserialize, Serialize};
+
+/// The window, in points, up to which what is presented is no larger than it has to be.
+const PRESENTED: Vec2 = Vec2::new(1280.0, 720.0);
 
 /// A layout for a purpose.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -38,11 +42,12 @@ impl Preset {
         }
     }
 
-    /// How much larger everything is than elsewhere.
+    /// How much larger everything is than elsewhere in a window of this size, in points. What is presented grows with the window: on
+    /// a large one that is seen from the same place, more room is no reason for small letters.
     #[must_use]
-    pub const fn magnification(self) -> f32 {
+    pub fn magnification(self, window: Vec2) -> f32 {
         match self {
-            Self::Present => 1.5,
+            Self::Present => 1.5 * (window / PRESENTED).min_elem().max(1.0),
             _ => 1.0,
         }
     }

@@ -248,7 +248,8 @@ impl Editing {
                     self.next_flaw();
                 }
                 if self.is_stale() {
-                    ui.label(RichText::new(say(ui.ctx(), "edit-stale-about")).small().color(palette.weak));
+                    let about = RichText::new(say(ui.ctx(), "edit-stale-about")).small().color(palette.weak);
+                    ui.add(egui::Label::new(about).truncate());
                 }
             });
             let [line, column] = flaw.at.map(|number| number.to_string());

@@ -110,8 +110,13 @@ impl Workbench {
     /// Whether a question has to be answered before anything else. One edit at a time is offered back: what is left is offered when
     /// that one is saved, or at the next start.
     pub(in crate::app) fn is_asking(&self) -> bool {
+        self.editing.guard.is_some() || (self.has_question() && !self.is_opening())
+    }
+
+    /// Whether there is a question to be answered, at once or as soon as the scene is open.
+    pub(in crate::app) fn has_question(&self) -> bool {
         let has_offer = self.editing.recovery.as_ref().is_some_and(|recovery| recovery.offer().is_some());
-        self.editing.guard.is_some() || (has_offer && !self.editing.document.is_dirty() && !self.is_opening())
+        self.editing.guard.is_some() || (has_offer && !self.editing.document.is_dirty())
     }
 
     fn settle(&mut self, ctx: &Context, then: Then, answer: Answer) {

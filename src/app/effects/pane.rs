@@ -1,6 +1,7 @@
 //! The effects of the scene: a switch for each that it calls for, what it costs, and the picture without it.
 
 use crate::app::effects::job::LedgerJob;
+use crate::app::frame::code::with_code;
 use crate::app::frame::theme::{Palette, bold};
 use crate::app::frame::words::{say, say_with};
 use crate::app::picture::thumbnail::{difference, texture, thumbnail};
@@ -147,7 +148,7 @@ fn name(ui: &mut Ui, reason: &Reason, is_on: &mut bool) -> bool {
     ui.with_layout(Layout::top_down(Align::Min), |ui| {
         ui.set_width(230.0);
         let moved = ui.add(Checkbox::new(is_on, RichText::new(effect).family(bold()))).changed();
-        ui.add(Label::new(RichText::new(&reason.why).small().weak()).wrap());
+        ui.add(Label::new(with_code(&reason.why, 11.0, Palette::current(ui.ctx()).weak)).wrap());
         moved
     })
     .inner
@@ -189,7 +190,8 @@ fn idle_effects(ui: &mut Ui, idle: &[Reason]) {
     ui.label(RichText::new(say(ui.ctx(), "effects-idle")).small().weak());
     ui.horizontal_wrapped(|ui| {
         for reason in idle {
-            ui.label(RichText::new(reason.effect.name()).weak()).on_hover_text(&reason.why);
+            let why = with_code(&reason.why, 13.5, Palette::current(ui.ctx()).text);
+            ui.label(RichText::new(reason.effect.name()).weak()).on_hover_text(why);
         }
     });
 }

@@ -3,14 +3,20 @@
 use crate::app::command::Command;
 use crate::app::frame::words::{say, say_with};
 use crate::app::workbench::Workbench;
-use egui::{Button, Color32, ScrollArea, TextStyle, Ui};
+use egui::{Button, Color32, Context, RichText, ScrollArea, TextStyle, Ui};
 
 /// The least width of a menu, in points.
 const WIDTH: f32 = 250.0;
 /// Room for what stands beside a command's name and key: a tick, the gap between them, and the padding, in points.
 const BESIDE: f32 = 68.0;
+/// What a menu leaves free of the window's height: the bar that it hangs from, and its margins, in points.
+const FREE: f32 = 64.0;
+
 /// Height above which a menu scrolls, in points.
-const HEIGHT: f32 = 560.0;
+#[must_use]
+pub fn height(ctx: &Context) -> f32 {
+    (ctx.content_rect().height() - FREE).max(FREE)
+}
 
 /// One menu for each area, beside each other; returns what was chosen.
 pub fn bar(ui: &mut Ui, workbench: &Workbench) -> Option<Command> {
@@ -33,8 +39,15 @@ fn list(ui: &mut Ui, workbench: &Workbench, commands: &[Command]) -> Option<Comm
     let width = commands.iter().map(|&command| width_of(ui, command)).fold(WIDTH, f32::max);
     ui.set_width(width);
     ui.spacing_mut().item_spacing.y = 1.0;
-    ScrollArea::vertical().max_height(HEIGHT).show(ui, |ui| {
+    // Without the second, a menu would scroll as soon as it is higher than what areas are at first.
+    let height = height(ui.ctx());
+    ScrollArea::vertical().max_height(height).min_scrolled_height(height).show(ui, |ui| {
+        let mut group = None;
         for &command in commands {
+            if command.group() != group {
+                group = command.group();
+                begin_group(ui, group);
+            }
             if line(ui, workbench, command) {
                 chosen = Some(command);
                 ui.close();
@@ -42,6 +55,14 @@ fn list(ui: &mut Ui, workbench: &Workbench, commands: &[Command]) -> Option<Comm
         }
     });
     chosen
+}
+
+/// What stands before the commands of a group: its name, or a line before those that have none.
+fn begin_group(ui: &mut Ui, group: Option<&str>) {
+    match group {
+        Some(group) => ui.label(RichText::new(say(ui.ctx(), group)).small().weak()),
+        None => ui.separator(),
+    };
 }
 
 /// How wide a command with its key is.

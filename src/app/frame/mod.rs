@@ -1,6 +1,7 @@
 //! What all panels stand in: the top bar, cards with headers, colours and fonts, messages, background work.
 
 pub mod background;
+pub mod code;
 pub mod empty;
 pub mod file_dialog;
 pub mod menu;

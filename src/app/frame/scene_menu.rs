@@ -1,12 +1,10 @@
 //! Choosing one of the embedded scenes, by topic.
 
+use crate::app::frame::menu;
 use crate::app::frame::theme::Palette;
 use crate::app::frame::words::{say, say_with};
 use crate::scene::embedded_scenes;
 use egui::{RichText, ScrollArea, Ui};
-
-/// Height of the list, in points.
-const HEIGHT: f32 = 560.0;
 
 /// An embedded scene that was chosen, by name.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -51,7 +49,8 @@ impl SceneMenu {
         let title = say_with(ui.ctx(), "scene-menu", &[("scene", current.into())]);
         let button = ui.menu_button(title, |ui| {
             ui.set_min_width(360.0);
-            ScrollArea::vertical().max_height(HEIGHT).min_scrolled_height(HEIGHT).show(ui, |ui| {
+            let height = menu::height(ui.ctx());
+            ScrollArea::vertical().max_height(height).min_scrolled_height(height).show(ui, |ui| {
                 chosen = self.list(ui, current);
             });
         });

@@ -2,16 +2,14 @@
 
 use crate::app::command::{Command, ViewCommand};
 use crate::app::dock::Preset;
+use crate::app::frame::code::with_code;
 use crate::app::frame::menu;
 use crate::app::frame::scene_menu::Choice;
 use crate::app::frame::theme::{Palette, bold};
 use crate::app::frame::words::{say, say_with};
 use crate::app::workbench::{OpenScene, Workbench};
 use crate::scene::Scene;
-use egui::text::LayoutJob;
-use egui::{
-    Align, Button, Color32, Context, FontId, Galley, Label, Layout, RichText, Stroke, TextStyle, Ui, UiBuilder, vec2,
-};
+use egui::{Align, Button, Color32, Context, Galley, Label, Layout, RichText, Stroke, TextStyle, Ui, UiBuilder, vec2};
 use std::sync::Arc;
 
 /// Height of its upper line, in points.
@@ -53,7 +51,8 @@ fn pixels_width(ui: &Ui, pixels: &[[u32; 2]]) -> f32 {
 /// The scene's own words, laid out in at most a few lines.
 fn words(ui: &Ui, about: &str, width: f32) -> Arc<Galley> {
     let weak = Palette::current(ui.ctx()).weak;
-    let mut job = LayoutJob::simple(about.to_owned(), FontId::proportional(12.5), weak, width.max(100.0));
+    let mut job = with_code(about, 12.5, weak);
+    job.wrap.max_width = width.max(100.0);
     job.wrap.max_rows = MOST_LINES;
     ui.ctx().fonts_mut(|fonts| fonts.layout_job(job))
 }
@@ -166,7 +165,8 @@ fn about(ui: &mut Ui, open: &OpenScene, recorded: Option<[u32; 2]>) -> Option<[u
             let elided = words.elided;
             let label = ui.label(words);
             if elided {
-                label.on_hover_text(&open.scene.about);
+                let ink = Palette::current(&label.ctx).text;
+                label.on_hover_text(with_code(&open.scene.about, 13.5, ink));
             }
         });
     });

@@ -56,6 +56,10 @@ impl Help {
 impl Workbench {
     /// Shows what lies over the workbench, and does what was chosen in it.
     pub(in crate::app) fn show_help(&mut self, ui: &mut Ui) {
+        // The tour lies over everything, so it would lie over what has to be answered first: it waits.
+        if matches!(self.help, Help::Tour(_)) && (self.has_question() || self.asks_for_link()) {
+            return;
+        }
         let mut help = std::mem::take(&mut self.help);
         let outcome = match &mut help {
             Help::None => return,

@@ -7,7 +7,7 @@ use crate::app::frame::theme;
 use crate::app::frame::words::{say, say_with};
 use crate::app::workbench::Workbench;
 use crate::scene::embedded_scenes;
-use egui::{Align, Button, Id, Key, Modal, RichText, ScrollArea, TextEdit, Ui};
+use egui::{Align, Button, Frame, Id, Key, Margin, Modal, RichText, ScrollArea, TextEdit, Ui};
 
 /// Width of the palette, in points.
 const WIDTH: f32 = 520.0;
@@ -115,7 +115,11 @@ impl Palette {
 
 fn of_command(ctx: &egui::Context, workbench: &Workbench, menu: &str, command: Command) -> Line {
     Line {
-        title: format!("{menu}: {}", say(ctx, command.word())),
+        title: format!(
+            "{}: {}",
+            command.group().map_or_else(|| menu.to_owned(), |group| say(ctx, group)),
+            say(ctx, command.word())
+        ),
         about: say(ctx, &format!("{}-about", command.word())),
         key: command.key().map_or_else(String::new, |key| ctx.format_shortcut(&key)),
         is_possible: command.is_possible(workbench),
@@ -136,7 +140,12 @@ fn show(ui: &mut Ui, line: &Line, is_chosen: bool) -> bool {
         response.scroll_to_me_animation(Some(Align::Center), ui.style().scroll_animation);
         if !line.about.is_empty() {
             let weak = theme::Palette::current(ui.ctx()).weak;
-            ui.label(RichText::new(&line.about).small().color(weak));
+            // Below the title, which stands inside its button.
+            #[expect(clippy::cast_possible_truncation, reason = "a few points")]
+            let margin = Margin { left: ui.spacing().button_padding.x as i8, ..Margin::ZERO };
+            Frame::new().inner_margin(margin).show(ui, |ui| {
+                ui.label(RichText::new(&line.about).small().color(weak));
+            });
         }
     }
     response.clicked()

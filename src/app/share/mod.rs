@@ -79,6 +79,11 @@ impl Workbench {
         self.sharing.notice = Some(notice);
     }
 
+    /// Whether the field for a link is open.
+    pub(in crate::app) const fn asks_for_link(&self) -> bool {
+        self.sharing.field.is_some()
+    }
+
     /// Opens the field for a link.
     pub(in crate::app) fn ask_for_link(&mut self) {
         self.sharing.field = Some(LinkField::default());

@@ -27,15 +27,13 @@ pub fn ui(ui: &mut Ui, workbench: &mut Workbench) {
     let mut top = used.response.rect.bottom().min(whole.bottom()) + 4.0;
     line(ui, whole, top);
     top += 1.0;
-    if whole.height() >= ENOUGH {
-        let strip = whole.with_min_y(top).with_max_y(top + super::timeline::HEIGHT);
+    let Workbench { timeline, recording, .. } = workbench;
+    if let Some(recording) = recording.as_mut().filter(|_| whole.height() >= ENOUGH) {
+        let strip = whole.with_min_y(top).with_max_y(top + timeline.height(recording));
         let builder = UiBuilder::new().id_salt("timeline").max_rect(strip);
-        let Workbench { timeline, recording, .. } = workbench;
-        if let Some(recording) = recording {
-            let target = ui.scope_builder(builder, |ui| timeline.ui(ui, recording)).inner;
-            if let Some(event) = target {
-                recording.select(event);
-            }
+        let target = ui.scope_builder(builder, |ui| timeline.ui(ui, recording)).inner;
+        if let Some(event) = target {
+            recording.select(event);
         }
         top = strip.bottom();
         line(ui, whole, top);

@@ -7,15 +7,17 @@ use crate::app::frame::words::say;
 use crate::record::EventId;
 use crate::story::Step;
 use crate::trace::RayTree;
-use crate::view::{Drawing, Theme, TimelineScale, timeline};
+use crate::view::{Drawing, Theme, TimelineScale, timeline, timeline_height};
 use egui::accesskit::Action;
 use egui::{
     Color32, EventFilter, Key as KeyName, Pos2, Rect, Response, Role, Sense, Stroke, Ui, Vec2, WidgetInfo, pos2,
 };
 use std::sync::Arc;
 
-/// Height of the strip, in points.
-pub const HEIGHT: f32 = 100.0;
+/// Most height of the strip, in points: what would need more shares lanes.
+const HEIGHT: f32 = 108.0;
+/// Room below the drawing for the head of the line where one stands, in points.
+const HEAD: f32 = 7.0;
 
 /// How far from a mark a click still counts, in points.
 const REACH: f64 = 4.0;
@@ -47,15 +49,31 @@ impl Key {
 #[derive(Default)]
 pub struct Timeline {
     canvas: Canvas<Key>,
+    /// How high the strip of a tree is, with or without breakpoints.
+    height: Option<(Arc<RayTree>, bool, f32)>,
 }
 
 impl Timeline {
+    /// How high the strip of a recording is: no higher than there is something in it.
+    pub fn height(&mut self, recording: &Recording) -> f32 {
+        let (tree, has_stops) = (&recording.tree, !recording.story().stops_shared().is_empty());
+        match &self.height {
+            Some((of, with, height)) if Arc::ptr_eq(of, tree) && *with == has_stops => *height,
+            _ => {
+                #[expect(clippy::cast_possible_truncation, reason = "screen coordinates are f32")]
+                let height = (timeline_height(tree, has_stops) as f32 + HEAD).min(HEIGHT);
+                self.height = Some((Arc::clone(tree), has_stops, height));
+                height
+            }
+        }
+    }
+
     /// Shows the strip; returns the event that was clicked or dragged to.
     pub fn ui(&mut self, ui: &mut Ui, recording: &Recording) -> Option<EventId> {
-        let (rect, response) =
-            ui.allocate_exact_size(egui::vec2(ui.available_width(), HEIGHT), Sense::click_and_drag());
+        let room = egui::vec2(ui.available_width(), self.height(recording));
+        let (rect, response) = ui.allocate_exact_size(room, Sense::click_and_drag());
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a panel is a few thousand points")]
-        let size = [rect.width().max(1.0) as u32, rect.height().max(1.0) as u32];
+        let size = [rect.width().max(1.0) as u32, (rect.height() - HEAD).max(1.0) as u32];
         let key = Key {
             tree: Arc::clone(&recording.tree),
             stops: Arc::clone(recording.story().stops_shared()),

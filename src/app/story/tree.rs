@@ -1,7 +1,7 @@
 //! The ray's story as an outline: one line for each event, laid out only where it is seen.
 
 use super::recording::Recording;
-use crate::app::frame::theme::Palette;
+use crate::app::frame::theme::{PADDING, Palette};
 use crate::app::frame::words::{say, say_with};
 use crate::record::EventId;
 use crate::story::{Step, Story};
@@ -82,8 +82,11 @@ fn show_rows(ui: &mut Ui, recording: &Recording, range: Range<usize>, told: usiz
     let mut asked = None;
     for place in range {
         if place >= told {
-            let lifts = ui.link(say(ui.ctx(), "lesson-veil")).clicked();
-            asked = asked.or(lifts.then_some(Asked::Lift));
+            let lifts = ui.horizontal(|ui| {
+                ui.add_space(f32::from(PADDING));
+                ui.link(say(ui.ctx(), "lesson-veil")).clicked()
+            });
+            asked = asked.or(lifts.inner.then_some(Asked::Lift));
         } else if let Some(id) = recording.story().outline().row(place) {
             asked = show_row(ui, recording, id).or(asked);
         }
@@ -171,17 +174,20 @@ fn show_row(ui: &mut Ui, recording: &Recording, id: EventId) -> Option<Asked> {
 
     let left = rect.left() + 4.0 + INDENT * f32::from(line.depth).min(MOST_INDENTS);
     let triangle = Rect::from_min_size(pos2(left, rect.top()), vec2(TRIANGLE, ROW));
-    paint_row(ui, rect, left, &line, response.hovered());
+    let is_whole = paint_row(ui, rect, left, &line, response.hovered());
     paint_triangle(ui, triangle, line.open);
 
     let on_triangle = response.interact_pointer_pos().is_some_and(|at| at.x < triangle.right());
     let (clicked, twice) = (response.clicked(), response.double_clicked());
-    response.on_hover_ui(|ui| {
-        ui.label(line.text());
-        if !line.beside.is_empty() {
-            ui.label(line.beside.join(", "));
-        }
-    });
+    // What is seen anyway would only hide the rows below.
+    if !is_whole || !line.beside.is_empty() {
+        response.on_hover_ui(|ui| {
+            ui.label(line.text());
+            if !line.beside.is_empty() {
+                ui.label(line.beside.join(", "));
+            }
+        });
+    }
     match line.open {
         Some(open) if twice || (clicked && on_triangle) => Some(Asked::Open(id, !open)),
         _ => clicked.then_some(Asked::Select(id)),
@@ -204,7 +210,8 @@ fn name_row(ui: &Ui, response: &Response, line: &Line) {
     });
 }
 
-fn paint_row(ui: &Ui, rect: Rect, left: f32, line: &Line, hovered: bool) {
+/// Paints a row; returns whether there was room for all of it.
+fn paint_row(ui: &Ui, rect: Rect, left: f32, line: &Line, hovered: bool) -> bool {
     let palette = Palette::current(ui.ctx());
     let painter = ui.painter_at(rect);
     if line.selected {
@@ -235,10 +242,13 @@ fn paint_row(ui: &Ui, rect: Rect, left: f32, line: &Line, hovered: bool) {
     let label = elided(ui, &line.row.label, body, ink, right - x);
     painter.galley(pos2(x, middle - label.size().y / 2.0), Arc::clone(&label), ink);
     let x = x + label.size().x + 10.0;
-    if right - x > 24.0 {
-        let numbers = elided(ui, &line.row.numbers, small, palette.weak, right - x);
-        painter.galley(pos2(x, middle - numbers.size().y / 2.0), numbers, palette.weak);
+    if right - x <= 24.0 {
+        return !label.elided && line.row.numbers.is_empty();
     }
+    let numbers = elided(ui, &line.row.numbers, small, palette.weak, right - x);
+    let is_whole = !label.elided && !numbers.elided;
+    painter.galley(pos2(x, middle - numbers.size().y / 2.0), numbers, palette.weak);
+    is_whole
 }
 
 /// One line, ended by `…` where it does not fit.

@@ -10,7 +10,7 @@ mod tests;
 
 use super::drawing::{Anchor, Drawing, Frame, Spot, Stroke};
 use super::fonts::Face;
-use super::labels::{Label, shortened};
+use super::labels::{Label, wrapped};
 use super::palette::Theme;
 use super::primitive_at::PrimitiveAt;
 use super::sheet::{Fact, SMALL, Sheet, is_roomy};
@@ -102,10 +102,15 @@ fn matrix(sheet: &mut Sheet, room: Frame, subject: &Subject) -> Frame {
 
 /// What a half shows, at its foot, set off from the ray.
 fn subtitle(sheet: &mut Sheet, frame: &Frame, text: &str) {
-    let text = shortened(text, frame.size()[0] - 60.0, SMALL, Face::Sans);
-    let label = Label::new(text, SMALL, sheet.palette.faint);
-    let text = label.at([frame.low[0] + 2.0, frame.high[1] - 7.0], Anchor::Start, Some(sheet.palette.ground));
-    sheet.placer.put_at(&mut sheet.drawing, text, None);
+    // The scale stands beside it.
+    let lines = wrapped(text, frame.size()[0] - 60.0, SMALL, Face::Sans);
+    let above = lines.len() - 1;
+    for (i, line) in lines.into_iter().enumerate() {
+        let y = frame.high[1] - 7.0 - 1.3 * SMALL * (above - i) as f64;
+        let label = Label::new(line, SMALL, sheet.palette.faint);
+        let text = label.at([frame.low[0] + 2.0, y], Anchor::Start, Some(sheet.palette.ground));
+        sheet.placer.put_at(&mut sheet.drawing, text, None);
+    }
 }
 
 /// What is drawn, in both halves alike.

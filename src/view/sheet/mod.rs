@@ -66,7 +66,7 @@ impl Sheet {
         Self { placer: Placer::new(drawing.frame().grown(-2.0)), drawing, palette, event }
     }
 
-    /// The heading and a note of two lines at most; returns the room that is left below them.
+    /// The heading and a note of three lines at most; returns the room that is left below them.
     pub fn caption(&mut self, title: &str, note: &str) -> Frame {
         let width = self.drawing.width - 2.0 * MARGIN;
         let mut y = MARGIN + 0.5 * TITLE;
