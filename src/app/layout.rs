@@ -1,5 +1,6 @@
 //! The window on `egui` alone: keys, the top bar, messages, and below them the panels.
 
+use super::dock::Room;
 use super::frame::scene_menu::Choice;
 use super::frame::theme::Palette;
 use super::frame::{problem, top_bar};
@@ -17,6 +18,7 @@ impl Workbench {
         let ctx = ui.ctx().clone();
         let window = ctx.content_rect().size() * ctx.zoom_factor();
         self.settings.apply(&ctx, self.dock.preset().magnification(window));
+        self.dock.fit(self.room(ui.max_rect().width()));
         self.take_files(&ctx);
         self.receive_opened(&ctx);
         self.follow_lesson(&ctx);
@@ -32,14 +34,25 @@ impl Workbench {
         let whole = ui.max_rect();
         ui.painter().rect_filled(whole, 0.0, Palette::current(&ctx).window);
         let (bar, rest) = whole.split_top_bottom_at_y(whole.top() + top_bar::height(ui, self));
-        self.top_bar(ui, bar);
-        let rest = self.messages(ui, rest.shrink(MARGIN));
+        if !self.is_embedded {
+            self.top_bar(ui, bar);
+        }
+        let margin = if self.dock.room() == Room::OneColumn { 0.0 } else { MARGIN };
+        let rest = self.messages(ui, rest.shrink(margin));
         ui.scope_builder(UiBuilder::new().id_salt("dock").max_rect(rest), |ui| dock::show(ui, self));
         self.show_help(ui);
         self.show_sharing(ui);
         self.show_opening(&ctx);
         self.pause_what_is_not_seen();
         self.ask_questions(&ctx);
+    }
+
+    /// A frame in a page is read beside the page: however wide it is, it holds few things.
+    fn room(&self, width: f32) -> Room {
+        match Room::of(width) {
+            Room::Enough if self.is_embedded => Room::TwoColumns,
+            room => room,
+        }
     }
 
     fn top_bar(&mut self, ui: &mut Ui, bar: Rect) {

@@ -99,6 +99,8 @@ pub struct Workbench {
     pub(in crate::app) sharing: Sharing,
     pub(in crate::app) opening: Opening,
     pub(in crate::app) lesson: LessonPane,
+    /// Whether it stands in the frame of another page, which says what is seen.
+    pub(in crate::app) is_embedded: bool,
     ctx: Context,
 }
 
@@ -131,6 +133,7 @@ impl Workbench {
             sharing: Sharing::default(),
             opening: Opening::default(),
             lesson: LessonPane::default(),
+            is_embedded: false,
             outside,
             ctx: ctx.clone(),
         };

@@ -218,8 +218,8 @@ impl Bars {
     /// A bar; an end that is unbounded fades out and has an arrow head.
     fn bar(&mut self, span: &Span, y: f64, thick: f64, colour: Colour) {
         let [left, right] = self.axis.points;
-        let from = span.enter.as_ref().map_or(left, |edge| self.axis.at(edge.t).clamp(left, right));
-        let to = span.leave.as_ref().map_or(right, |edge| self.axis.at(edge.t).clamp(left, right));
+        let from = span.enter.as_ref().map_or(left, |edge| self.axis.at(edge.t).max(left).min(right));
+        let to = span.leave.as_ref().map_or(right, |edge| self.axis.at(edge.t).max(left).min(right));
         let fade = 28.0_f64.min((to - from) / 2.0);
         let solid_from = if span.enter.is_none() { from + fade } else { from };
         let solid_to = if span.leave.is_none() { to - fade } else { to };

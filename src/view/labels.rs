@@ -137,7 +137,7 @@ impl Placer {
         let Some(text) = self.best_place(around, gap, label, palette.ground) else { return false };
         let frame = text.frame();
         self.reserve(frame.grown(1.0));
-        let nearest: Spot = std::array::from_fn(|i| around[i].clamp(frame.low[i], frame.high[i]));
+        let nearest: Spot = std::array::from_fn(|i| around[i].max(frame.low[i]).min(frame.high[i]));
         let offset = [nearest[0] - around[0], nearest[1] - around[1]];
         if length(offset) > gap + 12.0 {
             let share = gap.max(3.0) / length(offset);

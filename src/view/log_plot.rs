@@ -181,7 +181,7 @@ impl Painter<'_> {
 
     fn at(&self, [x, y]: Spot) -> Spot {
         let y = match self.panel.scale {
-            Scale::Log(from, to) => y.log10().clamp(f64::from(from), f64::from(to)),
+            Scale::Log(from, to) => y.log10().max(f64::from(from)).min(f64::from(to)),
             Scale::Share => y,
         };
         [self.x.at(x.log10()), self.y.at(y)]

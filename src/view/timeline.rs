@@ -387,7 +387,7 @@ impl Strip<'_> {
             let x = self.scale.x(number - 1);
             let tick = vec![[x, y], [x, y + TICK]];
             let half = 3.0 * number.to_string().len() as f64;
-            let middle = x.clamp(self.scale.left + half, (self.scale.right - half).max(self.scale.left + half));
+            let middle = x.max(self.scale.left + half).min((self.scale.right - half).max(self.scale.left + half));
             // The last number has its place reserved.
             let limit = if number == events { f64::INFINITY } else { self.scale.right - 6.0 * half };
             if middle - half >= free && middle + half <= limit {

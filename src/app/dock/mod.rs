@@ -14,11 +14,40 @@ use egui::{Context, Id, Rect};
 use egui_tiles::{Container, SimplificationOptions, Tile, TileId, Tree};
 use serde::{Deserialize, Serialize};
 
+/// How many columns of panels there is room for.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Room {
+    /// One: on a phone, or in a frame of a page.
+    OneColumn,
+    /// Two: on a tablet that is held upright.
+    TwoColumns,
+    /// As many as the layout has.
+    #[default]
+    Enough,
+}
+
+impl Room {
+    /// In windows of this width, in points.
+    #[must_use]
+    pub fn of(width: f32) -> Self {
+        match width {
+            ..640.0 => Self::OneColumn,
+            ..900.0 => Self::TwoColumns,
+            _ => Self::Enough,
+        }
+    }
+}
+
 /// All layouts.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Dock {
     preset: Preset,
     layouts: [Tree<Pane>; Preset::ALL.len()],
+    /// For windows that are too narrow for any of them: in one column, and in two.
+    #[serde(skip, default = "preset::few_columns")]
+    few_columns: [Tree<Pane>; 2],
+    #[serde(skip)]
+    room: Room,
     /// The panel that has the window to itself.
     #[serde(skip)]
     alone: Option<Pane>,
@@ -41,7 +70,15 @@ enum Wish {
 impl Default for Dock {
     fn default() -> Self {
         let layouts = Preset::ALL.map(Preset::layout);
-        Self { preset: Preset::default(), layouts, alone: None, current: None, waiting: Vec::new() }
+        Self {
+            preset: Preset::default(),
+            layouts,
+            few_columns: preset::few_columns(),
+            room: Room::default(),
+            alone: None,
+            current: None,
+            waiting: Vec::new(),
+        }
     }
 }
 
@@ -52,6 +89,17 @@ impl Dock {
         self.preset
     }
 
+    /// Says how much room there is: where there is little, another layout takes the place of all.
+    pub const fn fit(&mut self, room: Room) {
+        self.room = room;
+    }
+
+    /// How much room there is.
+    #[must_use]
+    pub const fn room(&self) -> Room {
+        self.room
+    }
+
     /// Shows another layout, as it was left.
     pub const fn choose(&mut self, preset: Preset) {
         self.preset = preset;
@@ -60,7 +108,12 @@ impl Dock {
 
     /// Puts the layout that is shown back to what it was at first.
     pub fn reset(&mut self) {
-        *self.tree_mut() = self.preset.layout();
+        let [one, two] = preset::few_columns();
+        *self.tree_mut() = match self.room {
+            Room::OneColumn => one,
+            Room::TwoColumns => two,
+            Room::Enough => self.preset.layout(),
+        };
         self.alone = None;
     }
 
@@ -181,11 +234,19 @@ impl Dock {
     }
 
     const fn tree(&self) -> &Tree<Pane> {
-        &self.layouts[self.preset as usize]
+        match self.room {
+            Room::OneColumn => &self.few_columns[0],
+            Room::TwoColumns => &self.few_columns[1],
+            Room::Enough => &self.layouts[self.preset as usize],
+        }
     }
 
     const fn tree_mut(&mut self) -> &mut Tree<Pane> {
-        &mut self.layouts[self.preset as usize]
+        match self.room {
+            Room::OneColumn => &mut self.few_columns[0],
+            Room::TwoColumns => &mut self.few_columns[1],
+            Room::Enough => &mut self.layouts[self.preset as usize],
+        }
     }
 
     fn tile_of(&self, pane: Pane) -> Option<TileId> {
@@ -246,6 +307,20 @@ mod tests {
             panes.dedup();
             assert_eq!(panes.len(), count, "{preset:?}");
         }
+    }
+
+    #[test]
+    fn narrow_windows_have_every_panel_once() {
+        for (room, other) in [(Room::OneColumn, Room::TwoColumns), (Room::TwoColumns, Room::Enough)] {
+            let mut dock = Dock::default();
+            dock.fit(room);
+            assert!(Pane::ALL.into_iter().all(|pane| dock.holds(pane)));
+            dock.reveal(Pane::Lesson);
+            assert!(dock.shows(Pane::Lesson) && dock.shows(Pane::Picture));
+            dock.fit(other);
+            assert!(!dock.shows(Pane::Lesson), "each is kept as it was left");
+        }
+        assert_eq!([360.0, 768.0, 1280.0].map(Room::of), [Room::OneColumn, Room::TwoColumns, Room::Enough]);
     }
 
     #[test]

@@ -98,6 +98,22 @@ impl Preset {
     }
 }
 
+/// The layouts of narrow windows: the picture or a drawing, and below or beside it what is said of it.
+pub(super) fn few_columns() -> [Tree<Pane>; 2] {
+    use Pane::{
+        Accuracy, Along, Compare, Detail, Editor, Effects, Generic, Intervals, Lesson, Overview, Picture, Planes,
+        Properties, Search, Shading, Side, Signs, Snell, Story,
+    };
+    let seen = [Picture, Side, Along, Overview, Intervals, Signs, Generic, Planes, Snell, Shading];
+    let said = [Story, Detail, Lesson, Properties, Editor, Search, Compare, Effects, Accuracy];
+    [LinearDir::Vertical, LinearDir::Horizontal].map(|direction| {
+        let mut plan = Plan::default();
+        let (first, second) = (plan.tabs(&seen), plan.tabs(&said));
+        let root = plan.split(direction, 0.45, first, second);
+        Tree::new(dock_id(), root, plan.tiles)
+    })
+}
+
 /// A layout that is being put together.
 #[derive(Default)]
 struct Plan {

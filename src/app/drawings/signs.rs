@@ -113,6 +113,6 @@ fn keyed(ui: &Ui, response: &Response, probe_t: Option<f64>, layout: SignPlotLay
         });
     }
     let [low, high] = layout.t;
-    let from = probe_t.unwrap_or_else(|| 0.0_f64.clamp(low, high));
-    (way != 0.0).then(|| (from + way.signum() * step * (high - low)).clamp(low, high))
+    let from = probe_t.unwrap_or_else(|| 0.0_f64.max(low).min(high));
+    (way != 0.0).then(|| (from + way.signum() * step * (high - low)).max(low).min(high))
 }

@@ -37,7 +37,7 @@ pub fn compact(ui: &mut Ui, workbench: &Workbench) -> Option<Command> {
 fn list(ui: &mut Ui, workbench: &Workbench, commands: &[Command]) -> Option<Command> {
     let mut chosen = None;
     let width = commands.iter().map(|&command| width_of(ui, command)).fold(WIDTH, f32::max);
-    ui.set_width(width);
+    ui.set_width(width.min(ui.ctx().content_rect().width() - BESIDE));
     ui.spacing_mut().item_spacing.y = 1.0;
     // Without the second, a menu would scroll as soon as it is higher than what areas are at first.
     let height = height(ui.ctx());

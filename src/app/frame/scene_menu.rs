@@ -48,7 +48,7 @@ impl SceneMenu {
         let mut chosen = None;
         let title = say_with(ui.ctx(), "scene-menu", &[("scene", current.into())]);
         let button = ui.menu_button(title, |ui| {
-            ui.set_min_width(360.0);
+            ui.set_min_width((ui.ctx().content_rect().width() - 40.0).min(360.0));
             let height = menu::height(ui.ctx());
             ScrollArea::vertical().max_height(height).min_scrolled_height(height).show(ui, |ui| {
                 chosen = self.list(ui, current);

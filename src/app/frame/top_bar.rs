@@ -1,7 +1,7 @@
 //! The bar at the top: menus, layouts, which scene, what it shows, which pixels to try.
 
 use crate::app::command::{Command, ViewCommand};
-use crate::app::dock::Preset;
+use crate::app::dock::{Preset, Room};
 use crate::app::frame::code::with_code;
 use crate::app::frame::menu;
 use crate::app::frame::scene_menu::Choice;
@@ -30,6 +30,9 @@ const MOST_LINES: usize = 4;
 /// Height of the bar, in points: as many lines as the scene has to say at this width, and none where everything is large.
 #[must_use]
 pub fn height(ui: &Ui, workbench: &Workbench) -> f32 {
+    if workbench.is_embedded {
+        return 0.0;
+    }
     let Some(scene) = workbench.scene().map(|open| &open.scene) else { return UPPER };
     if !has_words(workbench) {
         return UPPER;
@@ -64,7 +67,8 @@ fn name(ctx: &Context, [x, y]: [u32; 2]) -> String {
 /// Whether there is a lower line.
 fn has_words(workbench: &Workbench) -> bool {
     let says = |scene: &Scene| !scene.about.is_empty() || !scene.pixels.is_empty();
-    workbench.dock.preset() != Preset::Present && workbench.scene().is_some_and(|open| says(&open.scene))
+    let has_room = workbench.dock.preset() != Preset::Present && workbench.dock.room() == Room::Enough;
+    has_room && workbench.scene().is_some_and(|open| says(&open.scene))
 }
 
 /// What was chosen in the bar.
@@ -104,6 +108,10 @@ fn upper_line(ui: &mut Ui, workbench: &Workbench) -> Option<Action> {
     let open = workbench.scene();
     let is_narrow = ui.available_width() < NARROW;
     ui.spacing_mut().item_spacing.x = 4.0;
+    if workbench.dock.room() != Room::Enough {
+        let scene = workbench.menu.ui(ui, open.map_or("", |open| &open.name)).map(Action::Choose);
+        return scene.or(menu::compact(ui, workbench).map(Action::Run));
+    }
     ui.label(RichText::new("rayscope").size(17.0).family(bold()).color(Palette::current(ui.ctx()).accent));
     ui.add_space(8.0);
     let scene = workbench.menu.ui(ui, open.map_or("", |open| &open.name)).map(Action::Choose);

@@ -78,6 +78,6 @@ fn beside(about: Rect, window: Rect) -> Pos2 {
     let right = window.right() - about.right();
     let left = about.left() - window.left();
     let x = if right >= left { about.right() + gap } else { about.left() - gap - WIDTH - 28.0 };
-    let y = (about.center().y - HEIGHT / 2.0).clamp(window.top() + gap, (window.bottom() - HEIGHT - gap).max(gap));
+    let y = (about.center().y - HEIGHT / 2.0).max(window.top() + gap).min((window.bottom() - HEIGHT - gap).max(gap));
     Pos2::new(x, y)
 }

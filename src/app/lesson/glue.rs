@@ -42,7 +42,14 @@ impl Workbench {
     /// Opens a lesson where it was left.
     pub fn open_lesson(&mut self, id: &str) {
         let ctx = self.ctx();
-        self.lesson.open_lesson(&ctx, id);
+        self.lesson.open_lesson(&ctx, id, None);
+        self.show_lessons();
+    }
+
+    /// Opens a lesson at a step, counted from 0.
+    pub fn open_lesson_at(&mut self, id: &str, step: usize) {
+        let ctx = self.ctx();
+        self.lesson.open_lesson(&ctx, id, Some(step));
         self.show_lessons();
     }
 
@@ -137,6 +144,9 @@ impl Workbench {
             }
         }
         self.lesson = lesson;
+        if let Some(link) = self.sharing.after_stage.take() {
+            self.restore(ctx, &link);
+        }
     }
 
     /// Opens the step's scene unless it is open; returns whether it is.

@@ -37,7 +37,7 @@ pub struct LessonPane {
     pub(super) unread: Option<String>,
     loading: Option<Background<School>>,
     /// The lesson that is opened as soon as the course is read.
-    wanted: Option<String>,
+    wanted: Option<(String, Option<usize>)>,
     watch: Option<Watch>,
     exchange: Option<Background<Exchange>>,
     dialog: FileDialog,
@@ -77,15 +77,16 @@ impl LessonPane {
         self.school = Some(School::new(lessons));
     }
 
-    /// Opens a lesson, where it was left; waits for the course if that is not read yet.
-    pub(super) fn open_lesson(&mut self, ctx: &Context, id: &str) {
+    /// Opens a lesson at a step, or where it was left; waits for the course if that is not read yet.
+    pub(super) fn open_lesson(&mut self, ctx: &Context, id: &str, step: Option<usize>) {
         let Some(school) = &self.school else {
-            self.wanted = Some(id.to_owned());
+            self.wanted = Some((id.to_owned(), step));
             return;
         };
         let kept = self.progress.lessons.get(id);
         // What was finished begins anew.
-        let step = kept.filter(|kept| !kept.finished).map_or(0, |kept| kept.step);
+        let left = kept.filter(|kept| !kept.finished).map_or(0, |kept| kept.step);
+        let step = step.unwrap_or(left);
         self.open = OpenLesson::new(ctx, school, id, step).or(self.open.take());
         self.term = None;
         self.unread = None;
@@ -149,8 +150,8 @@ impl LessonPane {
         self.school = self.loading.as_ref().and_then(Background::take);
         if self.school.is_some() {
             self.loading = None;
-            if let Some(id) = self.wanted.take() {
-                self.open_lesson(ctx, &id);
+            if let Some((id, step)) = self.wanted.take() {
+                self.open_lesson(ctx, &id, step);
             }
         }
     }

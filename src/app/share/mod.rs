@@ -13,6 +13,7 @@ pub use restore::pane_named;
 
 use crate::app::frame::words::{say, say_with};
 use crate::app::workbench::Workbench;
+use crate::share::link::Link;
 use crate::view::View;
 use egui::{Context, Ui};
 use field::LinkField;
@@ -33,6 +34,8 @@ pub struct Sharing {
     field: Option<LinkField>,
     /// What of a link waits for its pixel to be recorded.
     awaited: Option<Awaited>,
+    /// The link to a lesson's step that is being set up.
+    pub(in crate::app) after_stage: Option<Box<Link>>,
 }
 
 /// What becomes of what is made.

@@ -12,7 +12,7 @@ use crate::app::story::recording::Recording;
 use crate::app::workbench::{Look, OpenScene, Workbench};
 use crate::record::Effect;
 use crate::scene::{Effects, Profile, embedded_scene};
-use crate::share::link::{Accuracy, Aim, EventPlace, Link};
+use crate::share::link::{Accuracy, Aim, EventPlace, LessonPlace, Link};
 use crate::story::Level;
 use crate::trace::record_ray;
 use crate::view::View;
@@ -34,9 +34,13 @@ impl Workbench {
     pub fn link(&self) -> Result<String, String> {
         let ctx = self.ctx();
         let open = self.open.as_ref().ok_or_else(|| say(&ctx, "no-scene"))?;
+        let lesson = self.lesson.place().map(place_in_lesson);
+        // A lesson brings its scenes along.
+        let needs_text = lesson.is_none() || self.editing.document.is_dirty();
         let place = |recording: &Recording| EventPlace::of(&recording.tree, recording.selected());
         let link = Link {
-            text: self.text_for_link(&ctx, open)?,
+            text: if needs_text { self.text_for_link(&ctx, open)? } else { None },
+            lesson,
             aim: self.recording.as_ref().map(aim_of),
             event: self.recording.as_ref().map(place),
             level: Some(self.stepping.level.name().to_owned()),
@@ -70,6 +74,12 @@ impl Workbench {
             return;
         }
         self.problem = None;
+        if let Some(LessonPlace { lesson, step }) = &link.lesson {
+            // The step brings its own scene; what else the link says comes on top of that.
+            self.sharing.after_stage = Some(Box::new(Link { text: None, ..link.clone() }));
+            self.open_lesson_at(lesson, *step as usize);
+            return;
+        }
         let source = link.text.clone().map_or(Source::Named, Source::Text);
         self.begin_opening(ctx, &link.scene, source, After::Restore(Box::new(link.clone())));
     }
@@ -169,6 +179,10 @@ impl Workbench {
         }
         recording.probe_t = t.or(recording.probe_t);
     }
+}
+
+fn place_in_lesson((lesson, step): (&str, usize)) -> LessonPlace {
+    LessonPlace { lesson: lesson.to_owned(), step: u32::try_from(step).unwrap_or(u32::MAX - 1) }
 }
 
 /// What of a link waits for its pixel to be recorded.

@@ -58,6 +58,17 @@ pub struct Link {
     pub accuracy: Option<Accuracy>,
     /// Effects that are switched on, where not all that the scene calls for are.
     pub effects: Option<Effects>,
+    /// The lesson that is open; its step then says which scene, pixel and panels are shown.
+    pub lesson: Option<LessonPlace>,
+}
+
+/// A step of a lesson.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct LessonPlace {
+    /// The lesson's name.
+    pub lesson: String,
+    /// The step, counted from 0.
+    pub step: u32,
 }
 
 /// What was traced.

@@ -3,7 +3,7 @@
 use super::packed::unpack;
 use super::percent::decoded;
 use super::written::{NAMES, PACKED, SCHEME, effect_name, theme_name};
-use super::{Accuracy, Aim, EventPlace, Link, MOST_CHARACTERS};
+use super::{Accuracy, Aim, EventPlace, LessonPlace, Link, MOST_CHARACTERS};
 use crate::record::Effect;
 use crate::scene::Effects;
 use crate::view::Theme;
@@ -136,6 +136,7 @@ impl<'a> Fields<'a> {
             orbit: self.read_as("orbit", numbers::<3>)?,
             accuracy: self.read_as("accuracy", accuracy)?,
             effects: self.read_as("without", effects)?,
+            lesson: self.read_as("lesson", lesson)?,
         })
     }
 
@@ -171,6 +172,15 @@ fn pair(text: &str) -> Result<[u32; 2], String> {
 
 fn split_pair(text: &str) -> Result<(&str, &str), String> {
     text.split_once(',').ok_or_else(|| format!("`{}` is no pair such as 310,240", shortened(text)))
+}
+
+/// The name of a lesson and the number of its step, counted from 1.
+fn lesson(text: &str) -> Result<LessonPlace, String> {
+    let (lesson, step) = text
+        .split_once(',')
+        .ok_or_else(|| format!("`{}` is no lesson with the number of its step, such as 06_cube,3", shortened(text)))?;
+    let step = whole(step)?.checked_sub(1).ok_or("steps are counted from 1")?;
+    Ok(LessonPlace { lesson: word(lesson)?, step })
 }
 
 fn size(text: &str) -> Result<[u32; 2], String> {

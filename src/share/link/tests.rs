@@ -104,6 +104,16 @@ fn an_event_is_found_where_it_was() {
 }
 
 #[test]
+fn the_step_of_a_lesson_is_counted_from_one_as_people_do() {
+    let place = LessonPlace { lesson: "06_cube".to_owned(), step: 2 };
+    let written = Link { lesson: Some(place), ..Link::to_scene("csg/bowl") };
+    assert_eq!(written.to_string(), "rayscope:csg/bowl?lesson=06_cube,3");
+    assert_eq!(link(&written.to_string()), written);
+    assert!(error("rayscope:a?lesson=06_cube,0").contains("counted from 1"));
+    assert!(error("rayscope:a?lesson=06_cube").contains("such as 06_cube,3"));
+}
+
+#[test]
 fn an_event_that_has_moved_is_found_by_its_kinds_with_a_notice() {
     let tree = bowl();
     let hit = tree.events.iter().find(|event| matches!(event.what, crate::record::What::Hit { .. })).unwrap().id;
@@ -171,10 +181,11 @@ prop_compose! {
             "\\PC{0,80}".prop_map(Accuracy::Text),
         ]),
         off in prop::option::of(prop::collection::vec(0..Effect::ALL.len(), 0..5)),
+        lesson in prop::option::of((word(), 0..u32::MAX).prop_map(|(lesson, step)| LessonPlace { lesson, step })),
     ) -> Link {
         let [level, preset, language] = words;
         let effects = off.map(|off| off.into_iter().fold(Effects::ALL, |all, i| all.without(Effect::ALL[i])));
-        Link { scene, text, aim, size, event, level, preset, views, theme, language, t, orbit, accuracy, effects }
+        Link { scene, text, aim, size, event, level, preset, views, theme, language, t, orbit, accuracy, effects, lesson }
     }
 }
 

@@ -12,9 +12,9 @@ use std::fmt::{self, Display, Formatter};
 pub(super) const SCHEME: &str = "rayscope:";
 
 /// The names of what a link may say, in the order in which they are written.
-pub(super) const NAMES: [&str; 15] = [
+pub(super) const NAMES: [&str; 16] = [
     "pixel", "ray", "size", "event", "path", "level", "preset", "views", "theme", "language", "t", "orbit", "accuracy",
-    "without", "text",
+    "without", "lesson", "text",
 ];
 
 /// What stands before a packed text where a name could stand too.
@@ -55,6 +55,7 @@ impl Link {
             self.orbit.map(|orbit| numbers(&orbit)),
             self.accuracy.as_ref().map(accuracy),
             self.effects.map(without),
+            self.lesson.as_ref().map(|place| format!("{},{}", encoded(&place.lesson), place.step + 1)),
             self.text.as_deref().map(pack),
         ];
         NAMES.into_iter().zip(values).filter_map(|(name, value)| Some((name, value?))).collect()

@@ -166,8 +166,8 @@ impl Bars {
             return;
         };
         for span in spans {
-            let from = span.enter.as_ref().map_or(left, |edge| self.axis.at(edge.t).clamp(left, right));
-            let to = span.leave.as_ref().map_or(right, |edge| self.axis.at(edge.t).clamp(left, right));
+            let from = span.enter.as_ref().map_or(left, |edge| self.axis.at(edge.t).max(left).min(right));
+            let to = span.leave.as_ref().map_or(right, |edge| self.axis.at(edge.t).max(left).min(right));
             // A stretch too short to see is still there.
             let (from, to) = if to - from < 1.5 { (from - 0.75, from + 0.75) } else { (from, to) };
             let frame = Frame { low: [from, y - 0.5 * thick], high: [to, y + 0.5 * thick] };

@@ -64,7 +64,7 @@ fn column(chart: &Chart, number: usize) -> (f64, f64) {
 }
 
 fn block(sheet: &mut Sheet, chart: &Chart, [middle, half]: Spot, ends: [f64; 2], fill: Colour) {
-    let [a, b] = ends.map(|end| chart.y.at(end).clamp(chart.frame.low[1], chart.frame.high[1]));
+    let [a, b] = ends.map(|end| chart.y.at(end).max(chart.frame.low[1]).min(chart.frame.high[1]));
     // A term that is almost nothing is still there.
     let (top, bottom) = if (a - b).abs() < 1.5 { (a.min(b) - 0.75, a.min(b) + 0.75) } else { (a.min(b), a.max(b)) };
     let frame = Frame { low: [middle - half, top], high: [middle + half, bottom] };

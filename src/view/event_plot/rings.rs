@@ -66,7 +66,7 @@ fn direction(radius: f64, point: Option<Triple>) -> (Spot, bool) {
 /// The dark rings that are seen; the chart is at most some dozens of rings wide.
 fn odd_rings(chart: &Chart) -> impl Iterator<Item = f64> + use<> {
     let ([left, right], [bottom, top]) = (chart.x.values, chart.y.values);
-    let nearest = 0.0_f64.clamp(left, right).hypot(0.0_f64.clamp(bottom, top));
+    let nearest = 0.0_f64.max(left).min(right).hypot(0.0_f64.max(bottom).min(top));
     let farthest = left.abs().max(right.abs()).hypot(bottom.abs().max(top.abs()));
     let first = 2.0 * ((nearest - 1.0) / 2.0).floor().max(0.0) + 1.0;
     (0..400).map(move |i| first + 2.0 * f64::from(i)).take_while(move |ring| *ring < farthest)

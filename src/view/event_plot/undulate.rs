@@ -69,7 +69,7 @@ fn segment(sheet: &mut Sheet, chart: &Chart, undulate: &Undulate) {
 
 /// The spline's colours, each half-way to its neighbours.
 fn colours(sheet: &mut Sheet, chart: &Chart, curve: &[Stop], band: &Frame) {
-    let place = |at: f64| chart.x.at(at).clamp(band.low[0], band.high[0]);
+    let place = |at: f64| chart.x.at(at).max(band.low[0]).min(band.high[0]);
     for (number, stop) in curve.iter().enumerate() {
         let next = curve.get(number + 1).map_or(band.high[0], |next| place(f64::midpoint(stop.at, next.at)));
         let before =

@@ -47,7 +47,7 @@ fn doubt(paper: &mut Paper, layout: &Layout) {
 /// Where the band begins, if there is one.
 pub fn doubt_top(reference_error: f64, layout: &Layout) -> Option<f64> {
     (reference_error > 0.0 && reference_error.is_finite())
-        .then(|| layout.y.at(reference_error).clamp(layout.field.low[1], layout.field.high[1]))
+        .then(|| layout.y.at(reference_error).max(layout.field.low[1]).min(layout.field.high[1]))
 }
 
 /// What the band says, inside it where it is high enough and above it where it is not, clear of all markers if it can be.

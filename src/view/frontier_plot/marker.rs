@@ -178,7 +178,7 @@ fn error_bar(paper: &mut Paper, layout: &Layout, k: usize) {
 /// The ends of a point's error bar, within the field's sides.
 pub fn bar(x: &LogScale, [left, right]: [f64; 2], point: &PlotPoint) -> Option<[f64; 2]> {
     let ends = [point.seconds - point.spread, point.seconds + point.spread]
-        .map(|value| if value > 0.0 { x.at(value).clamp(left, right) } else { left });
+        .map(|value| if value > 0.0 { x.at(value).max(left).min(right) } else { left });
     (point.spread > 0.0 && ends[1] - ends[0] > 2.6 * RADIUS).then_some(ends)
 }
 

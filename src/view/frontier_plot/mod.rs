@@ -141,7 +141,7 @@ fn labelled(plot: &FrontierPlot, paper: &Paper, field: Frame) -> (Layout, Vec<Op
 fn laid_out(plot: &FrontierPlot, whole: Frame, within: f64) -> Layout {
     let told = |point: &&PlotPoint| point.seconds.is_finite() && point.error.is_finite();
     let seconds = plot.points.iter().filter(told).flat_map(|point| {
-        let reach = point.spread.clamp(0.0, 0.5 * point.seconds.max(0.0));
+        let reach = point.spread.max(0.0).min(0.5 * point.seconds.max(0.0));
         [point.seconds - reach, point.seconds + reach]
     });
     let x = LogScale::over(seconds, [whole.low[0] + 14.0, whole.high[0] - 14.0]);

@@ -209,7 +209,7 @@ impl<'a> Field<'a> {
         };
         let middle = around[1] + sin * (reach + 0.5 * size[1]);
         let mut place = Place::at([around[0] + cos * reach, middle - 0.5 * size[1]], size, anchor);
-        let nearest: Spot = std::array::from_fn(|i| around[i].clamp(place.frame.low[i], place.frame.high[i]));
+        let nearest: Spot = std::array::from_fn(|i| around[i].max(place.frame.low[i]).min(place.frame.high[i]));
         let far = apart(around, nearest);
         if far > self.gaps[k] + LEADER_FROM {
             let share = (RADIUS + 1.0) / far;
@@ -303,7 +303,7 @@ fn apart(a: Spot, b: Spot) -> f64 {
 
 /// The place of a frame that is nearest to another place.
 fn nearest(frame: &Frame, at: Spot) -> Spot {
-    std::array::from_fn(|i| at[i].clamp(frame.low[i], frame.high[i]))
+    std::array::from_fn(|i| at[i].max(frame.low[i]).min(frame.high[i]))
 }
 
 /// Whether two lines cross.

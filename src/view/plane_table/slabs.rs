@@ -82,8 +82,8 @@ impl Slabs {
     /// From t_in to t_out, or the gap where the one is later than the other.
     fn left_over(&self, sheet: &mut Sheet, row: &PlaneRow, y: f64, colour: Colour) {
         let [left, right] = self.axis.points;
-        let from = row.t_in.map_or(left, |t| self.axis.at(t).clamp(left, right));
-        let to = row.t_out.map_or(right, |t| self.axis.at(t).clamp(left, right));
+        let from = row.t_in.map_or(left, |t| self.axis.at(t).max(left).min(right));
+        let to = row.t_out.map_or(right, |t| self.axis.at(t).max(left).min(right));
         let is_empty = from > to || row.sense == PlaneSense::ParallelOutside;
         if is_empty {
             let bad = sheet.palette.bad;

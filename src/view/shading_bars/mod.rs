@@ -155,14 +155,14 @@ fn stack(sheet: &mut Sheet, axis: &Axis, row: Frame, parts: &[Part], channel: us
     let mut sum = 0.0;
     for part in parts {
         let next = sum + part.colour[channel];
-        let [from, to] = [sum, next].map(|x| axis.at(x).clamp(axis.points[0], axis.points[1]));
+        let [from, to] = [sum, next].map(|x| axis.at(x).max(axis.points[0]).min(axis.points[1]));
         let frame = Frame { low: [from.min(to), row.low[1]], high: [from.max(to), row.high[1]] };
         if to != from {
             hatched(sheet, frame, part.look);
         }
         sum = next;
     }
-    axis.at(sum).clamp(axis.points[0], axis.points[1])
+    axis.at(sum).max(axis.points[0]).min(axis.points[1])
 }
 
 /// A light's name and three thin bars: its diffuse and specular terms in each channel.

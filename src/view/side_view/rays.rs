@@ -169,7 +169,7 @@ impl SideView<'_> {
                 self.label_later(lamp, 9.0, label);
             } else if let Some([_, exit]) = self.visible(flight, 0.0, t) {
                 let frame = self.drawing.frame().grown(-14.0);
-                let inside = std::array::from_fn(|i| exit[i].clamp(frame.low[i], frame.high[i]));
+                let inside = std::array::from_fn(|i| exit[i].max(frame.low[i]).min(frame.high[i]));
                 let label = label(format!("to {name}"));
                 self.label_later(inside, 4.0, label);
             }
@@ -209,7 +209,7 @@ impl SideView<'_> {
         } else if let Some([entry, _]) = self.visible(&flight, 0.0, f64::INFINITY) {
             let distance = length([entry[0] - at[0], entry[1] - at[1]]) / self.plane.scale;
             let frame = self.drawing.frame().grown(-14.0);
-            let inside = std::array::from_fn(|i| entry[i].clamp(frame.low[i], frame.high[i]));
+            let inside = std::array::from_fn(|i| entry[i].max(frame.low[i]).min(frame.high[i]));
             let label = Label::new(format!("{name}: {} farther back", brief(distance)), SMALL, self.palette.ink);
             self.label_later(inside, 4.0, label);
         }

@@ -109,7 +109,7 @@ impl Sweep<'_> {
         for interval in list.intervals() {
             let end = |boundary: Option<Boundary>, cut: f64| match boundary {
                 Some(b) if low < b.t && b.t < high => (b.t, Some((b.leaf, b.part))),
-                Some(b) => (b.t.clamp(low, high), None),
+                Some(b) => (b.t.max(low).min(high), None),
                 None => (cut, None),
             };
             let ((from, from_origin), (to, to_origin)) = (end(interval.enter, low), end(interval.leave, high));

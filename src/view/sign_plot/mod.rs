@@ -261,7 +261,7 @@ impl Plot {
         let top = self.d.points[0] + 5.0;
         self.placer.avoid_line([left, top + STRIP / 2.0], [right, top + STRIP / 2.0]);
         for span in signs {
-            let end = |t: Option<f64>, open: f64| t.map_or(open, |t| self.t.at(t).clamp(left, right));
+            let end = |t: Option<f64>, open: f64| t.map_or(open, |t| self.t.at(t).max(left).min(right));
             let (from, to) = (end(span.from, left), end(span.to, right));
             let frame = Frame { low: [from, top], high: [to, top + STRIP] };
             let colour = self.colour(span.sign);

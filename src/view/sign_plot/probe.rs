@@ -38,7 +38,7 @@ impl SignPlotLayout {
     #[must_use]
     pub fn t_at(&self, x: f64) -> f64 {
         let share = ((x - self.x[0]) / (self.x[1] - self.x[0])).clamp(0.0, 1.0);
-        (self.t[0] + (self.t[1] - self.t[0]) * share).clamp(self.t[0], self.t[1])
+        (self.t[0] + (self.t[1] - self.t[0]) * share).max(self.t[0]).min(self.t[1])
     }
 
     /// The place of a time.
@@ -111,7 +111,7 @@ impl Plot {
         let stroke = Stroke::solid(self.palette.highlight, 2.2);
         let points = vec![[x, top], [x, bottom + 5.0 + STRIP]];
         self.drawing.put(Form::Line { points, stroke }, self.event);
-        let y = self.at([probe.t, probe.d])[1].clamp(top, bottom);
+        let y = self.at([probe.t, probe.d])[1].max(top).min(bottom);
         let rim = Some(Stroke::solid(self.palette.ink, 1.6));
         let fill = Some(self.palette.highlight);
         self.drawing.put(Form::Circle { centre: [x, y], radius: 6.0, fill, stroke: rim }, self.event);
@@ -122,7 +122,7 @@ impl Plot {
     pub(super) fn extent(&mut self, inside: Option<[f64; 2]>) {
         let Some([near, far]) = inside.filter(|[near, far]| self.t.shows(*near) || self.t.shows(*far)) else { return };
         let [left, right] = self.t.points;
-        let [from, to] = [near, far].map(|t| self.t.at(t).clamp(left, right));
+        let [from, to] = [near, far].map(|t| self.t.at(t).max(left).min(right));
         let [bottom, top] = self.d.points;
         let frame = Frame { low: [from, top], high: [to, bottom] };
         let fill = Some(self.palette.extent.faded(0.1));
@@ -140,7 +140,7 @@ impl Plot {
     pub(super) fn extent_name(&mut self, inside: Option<[f64; 2]>) {
         let Some([near, far]) = inside.filter(|[near, far]| self.t.shows(*near) || self.t.shows(*far)) else { return };
         let [left, right] = self.t.points;
-        let [from, to] = [near, far].map(|t| self.t.at(t).clamp(left, right));
+        let [from, to] = [near, far].map(|t| self.t.at(t).max(left).min(right));
         let [bottom, top] = self.d.points;
         let label = Label::new("extent", SMALL, self.palette.faint);
         let heights = [bottom - 8.0, top + 8.0];

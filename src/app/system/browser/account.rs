@@ -134,6 +134,8 @@ fn state(workbench: &Workbench, is_painted: bool) -> Value {
         "painted": is_painted,
         "rendered": workbench.renderer.share_done(),
         "finished": workbench.picture_finished(),
+        "picture": workbench.image.seen.map(|(place, _)| rect_of(&workbench.ctx(), place.rect)),
+        "size": workbench.scene().map(|open| [open.scene.image.width, open.scene.image.height]),
         "pixel": recording.map(|recording| recording.pixel),
         "event": recording.map(Recording::selected),
         "events": recording.map(|recording| recording.tree.events.len()),
@@ -143,6 +145,11 @@ fn state(workbench: &Workbench, is_painted: bool) -> Value {
         "step": lesson.map(|(_, step)| step),
         "views": workbench.dock().visible().into_iter().map(|pane| pane.word()).collect::<Vec<_>>(),
     })
+}
+
+/// Left, top, width and height on the page, in its own pixels.
+fn rect_of(ctx: &Context, rect: egui::Rect) -> [f32; 4] {
+    [rect.left(), rect.top(), rect.width(), rect.height()].map(|points| points * ctx.zoom_factor())
 }
 
 /// The scene and the pixel.

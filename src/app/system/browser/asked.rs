@@ -59,12 +59,10 @@ fn asked_of(workbench: &mut Workbench, asked: Asked) {
             Ok(link) => workbench.follow(&ctx, &link),
             Err(error) => workbench.refuse("link", error.to_string()),
         },
-        Asked::Lesson { lesson, step } => {
-            workbench.open_lesson(&lesson);
-            if let Some(step) = step {
-                workbench.go_to_step(step);
-            }
-        }
+        Asked::Lesson { lesson, step } => match step {
+            Some(step) => workbench.open_lesson_at(&lesson, step),
+            None => workbench.open_lesson(&lesson),
+        },
     }
 }
 

@@ -4,6 +4,7 @@ use super::account::Account;
 use super::address::Address;
 use super::asked::carry_out;
 use super::{Journals, host, worker};
+use crate::app::help::Help;
 use crate::app::window::{Start, Window};
 use crate::folder::Outside;
 use crate::scene::embedded_scene;
@@ -32,14 +33,25 @@ pub fn run_in_browser() {
         host::failed("the page has no canvas to draw on");
         return;
     };
+    let runner = WebRunner::new();
+    tell_panics();
     wasm_bindgen_futures::spawn_local(async move {
         let create = |creation: &CreationContext| Page::new(creation);
         let app =
             Box::new(move |creation: &CreationContext<'_>| Ok(Box::new(create(creation)) as Box<dyn eframe::App>));
-        if let Err(error) = WebRunner::new().start(canvas, WebOptions::default(), app).await {
+        if let Err(error) = runner.start(canvas, WebOptions::default(), app).await {
             host::failed(&error.as_string().unwrap_or_else(|| format!("{error:?}")));
         }
     });
+}
+
+/// Lets the page say why the program ended. What was done before is done still: eframe's own hook stops its event loop.
+fn tell_panics() {
+    let before = std::panic::take_hook();
+    std::panic::set_hook(Box::new(move |info| {
+        host::failed(&info.to_string());
+        before(info);
+    }));
 }
 
 /// The workbench with what a page has besides: an address, and somebody who listens.
@@ -58,7 +70,13 @@ impl Page {
         let link = address.link().map(Box::new);
         let start = Start { name: FIRST.to_owned(), text, outside: Outside::Refused, link, lessons: None };
         let mut window = Window::new(creation, start);
-        window.workbench.keep_edits(Journals::in_browser());
+        window.workbench.is_embedded = host::property("embed").is_string();
+        if window.workbench.is_embedded {
+            window.workbench.help = Help::None;
+        }
+        if !window.workbench.is_embedded {
+            window.workbench.keep_edits(Journals::in_browser());
+        }
         Self { window, address, account: Account::offered(), asked: listen(&creation.egui_ctx) }
     }
 }
@@ -88,8 +106,11 @@ impl eframe::App for Page {
         self.account.give(ui.ctx(), workbench);
     }
 
+    /// A frame in somebody's page keeps nothing: the reader's own workbench stays as it was left.
     fn save(&mut self, storage: &mut dyn Storage) {
-        self.window.save(storage);
+        if !self.window.workbench.is_embedded {
+            self.window.save(storage);
+        }
     }
 
     fn auto_save_interval(&self) -> Duration {
