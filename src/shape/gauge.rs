@@ -6,7 +6,7 @@
 //!
 //! Powers cost more than all else here. Those with small whole or half exponents are products and square roots.
 
-use crate::math::{Real, ln};
+use crate::math::{Real, ln, portable};
 
 /// How x^p is worked out.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -225,9 +225,9 @@ impl Exponents {
 fn norm(p: f64, u: f64, v: f64) -> (f64, [f64; 2]) {
     let (most, least) = (u.max(v), u.min(v));
     let ratio = least / most;
-    let power = ratio.powf(p);
+    let power = portable::powf(ratio, p);
     let sum = 1.0 + power;
-    let factor = sum.powf(1.0 / p);
+    let factor = portable::powf(sum, 1.0 / p);
     let value = if most > 0.0 { most * factor } else { 0.0 };
     let along_most = factor / sum;
     // (least / value)^(p − 1); at least = 0 the limit.

@@ -1,6 +1,7 @@
 //! The highlight of a light: Phong's about the mirrored direction, or Ward's along a grain.
 
 use super::finish::Finish;
+use crate::math::power;
 use crate::optics::reflect;
 use crate::record::{Binding, Entry};
 use crate::scene::Rgb;
@@ -29,7 +30,7 @@ impl Highlight {
     /// The factor itself.
     pub fn value(&self) -> f64 {
         match self {
-            Self::Phong { r_dot_v, exponent, .. } => r_dot_v.powf(*exponent),
+            Self::Phong { r_dot_v, exponent, .. } => phong(*r_dot_v, *exponent),
             Self::Ward(ward) => ward.highlight,
         }
     }
@@ -59,4 +60,9 @@ impl Highlight {
             }
         }
     }
+}
+
+/// (r · v)^f, where 0⁰ is 1: an exponent of 0 shines everywhere.
+fn phong(r_dot_v: f64, exponent: f64) -> f64 {
+    if exponent == 0.0 { 1.0 } else { power(r_dot_v, exponent) }
 }
