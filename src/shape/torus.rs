@@ -252,9 +252,8 @@ impl Primitive for Torus {
         let reach = if self.d < 1.0 { portable::acos(-self.d) } else { TAU / 2.0 };
         let about_tube = (0..8).map(|k| {
             let (sin, cos) = portable::sin_cos(f64::from(k) * FRAC_PI_4);
-            let point =
-                |angle: f64| (DVec2::new(cos, sin) * (self.d + portable::cos(angle))).extend(portable::sin(angle));
-            (-64..=64).map(|step| point(reach * f64::from(step) / 64.0)).collect()
+            let point = |(up, out): (f64, f64)| (DVec2::new(cos, sin) * (self.d + out)).extend(up);
+            (-64..=64).map(|step| point(portable::sin_cos(reach * f64::from(step) / 64.0))).collect()
         });
         about_axis.into_iter().filter_map(|(radius, z)| outward(radius, z)).chain(about_tube).collect()
     }

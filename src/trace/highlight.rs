@@ -1,7 +1,7 @@
 //! The highlight of a light: Phong's about the mirrored direction, or Ward's along a grain.
 
 use super::finish::Finish;
-use crate::math::power;
+use crate::math::{portable, power};
 use crate::optics::reflect;
 use crate::record::{Binding, Entry};
 use crate::scene::Rgb;
@@ -62,7 +62,8 @@ impl Highlight {
     }
 }
 
-/// (r · v)^f, where 0⁰ is 1: an exponent of 0 shines everywhere.
+/// (r · v)^f. Results too small for the fast power, and 0⁰, are left to the other one.
 fn phong(r_dot_v: f64, exponent: f64) -> f64 {
-    if exponent == 0.0 { 1.0 } else { power(r_dot_v, exponent) }
+    let fast = power(r_dot_v, exponent);
+    if fast > 0.0 { fast } else { portable::powf(r_dot_v, exponent) }
 }
