@@ -74,7 +74,7 @@ fn tests_of(file: &SourceFile) -> Tests {
         };
         match name.strip_suffix(';') {
             Some(name) => {
-                tests.modules.push(path.map_or_else(|| inside(&file.path, name), |path| beside(&file.path, path)))
+                tests.modules.push(path.map_or_else(|| inside(&file.path, name), |path| beside(&file.path, path)));
             }
             None => tests.begin = tests.begin.min(index + 1),
         }
