@@ -10,7 +10,7 @@ use super::oracle::Target;
 use super::random::Random;
 use super::subject::Subject;
 use crate::csg::{Leaf, Placement, Solid};
-use crate::math::{DoubleDouble, Real};
+use crate::math::{DoubleDouble, Real, portable};
 use crate::record::NullRecorder;
 use crate::shape::{Crossing, Crossings, GenericRay, Method, Primitive, Shape};
 use glam::{DAffine3, DQuat, DVec3};
@@ -48,13 +48,18 @@ impl Question {
     /// The places, in sizes or scales: two for each power of ten.
     #[must_use]
     pub fn places(self) -> Vec<f64> {
-        let halves = |from: i32, to: i32| (from..=to).map(|half| 10.0_f64.powf(0.5 * f64::from(half)));
+        let halves = |from: i32, to: i32| (from..=to).map(half_power_of_ten);
         match self {
             Self::Distance => halves(0, 16).collect(),
             Self::Tangency => halves(-32, -2).rev().collect(),
             Self::Scale => halves(-16, 0).rev().collect(),
         }
     }
+}
+
+/// √10ⁿ.
+fn half_power_of_ten(n: i32) -> f64 {
+    portable::powi(10.0, n.div_euclid(2)) * if n % 2 == 0 { 1.0 } else { 10.0_f64.sqrt() }
 }
 
 /// Sends all rays of an experiment with the cores of the current rayon pool; `stopped` is asked before each place, and

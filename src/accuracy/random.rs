@@ -2,6 +2,7 @@
 //!
 //! Source: G. L. Steele, D. Lea, C. H. Flood, "Fast splittable pseudorandom number generators", OOPSLA 2014 (SplitMix64).
 
+use crate::math::portable;
 use glam::DVec3;
 
 /// A generator that is told by a seed alone.
@@ -28,7 +29,7 @@ impl Random {
 
     /// A number from 0 to 1, without 1.
     pub fn share(&mut self) -> f64 {
-        (self.bits() >> 11) as f64 * 2.0_f64.powi(-53)
+        (self.bits() >> 11) as f64 * portable::power_of_two(-53)
     }
 
     /// A number between two others.

@@ -9,7 +9,7 @@
 
 use super::random::Random;
 use crate::csg::{Boundary, Solid};
-use crate::math::DoubleDouble;
+use crate::math::{DoubleDouble, portable};
 use crate::optics::{reflect, refract};
 use crate::record::{NullRecorder, Sense};
 use crate::scene::{Scene, load};
@@ -147,7 +147,7 @@ pub fn soak(
             let mut random = Random::new(seed, number);
             let k = random.index(places.len());
             let (solid, scale) = places[k];
-            if let Some(outcome) = send(&scenes[k], 10.0_f64.powi(SCALES[scale]), &mut random) {
+            if let Some(outcome) = send(&scenes[k], portable::powi(10.0, SCALES[scale]), &mut random) {
                 soak.note(number, (solid, scale), outcome);
             }
         }
@@ -233,7 +233,7 @@ fn aimed(solid: &Solid, scale: f64, random: &mut Random, ray: &Ray) -> Ray {
         (extent.low, extent.high)
     };
     let target = random.within(low, high);
-    let distance = scale * 10.0_f64.powf(random.between(0.5, 8.0));
+    let distance = scale * portable::powf(10.0, random.between(0.5, 8.0));
     let origin = target + random.direction() * distance;
     let direction = (target - origin).normalize();
     Ray { origin, direction, ..ray.clone() }

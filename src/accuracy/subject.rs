@@ -1,6 +1,7 @@
 //! The primitives that are followed into the distance and towards tangents, and the rays that are sent at them.
 
 use super::random::Random;
+use crate::math::portable;
 use crate::shape::{
     ConvexPolyhedron, Cube, HalfSpace, Primitive, Shape, Sphere, Square, Superellipsoid, TaperedCylinder, Torus,
 };
@@ -92,7 +93,7 @@ impl Subject {
     /// A point of the surface that a line can touch from outside, with the unit vector out of the solid there.
     fn rim(&self, random: &mut Random) -> Option<(DVec3, DVec3)> {
         let (shape, angle) = (&self.shape, random.between(0.0, TAU));
-        let around = DVec3::new(angle.cos(), angle.sin(), 0.0);
+        let around = DVec3::new(portable::cos(angle), portable::sin(angle), 0.0);
         let point = match shape {
             Shape::Sphere(_) => random.direction(),
             Shape::TaperedCylinder(solid) => {
@@ -102,11 +103,11 @@ impl Subject {
             Shape::Torus(_) => {
                 // The outer half of the tube: the inner half is touched from within the hole.
                 let turn = random.between(-0.9, 0.9) * FRAC_PI_2;
-                around * (D + turn.cos()) + DVec3::Z * turn.sin()
+                around * (D + portable::cos(turn)) + DVec3::Z * portable::sin(turn)
             }
             Shape::Superellipsoid(_) => {
                 let v = random.direction();
-                v / (shape.implicit(v) + 1.0).powf(1.0 / EXPONENTS[1])
+                v / portable::powf(shape.implicit(v) + 1.0, 1.0 / EXPONENTS[1])
             }
             _ => return self.edge(random),
         };

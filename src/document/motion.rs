@@ -2,6 +2,7 @@
 
 use super::completion::value_at;
 use super::place::{Place, Step};
+use crate::math::portable;
 use crate::scene::{Camera, Image, Transform};
 use glam::{DAffine3, DMat3, DVec3};
 use serde_json::{Value, json};
@@ -99,7 +100,7 @@ pub fn decimals_for(step: f64) -> i32 {
         return 6;
     }
     #[expect(clippy::cast_possible_truncation, reason = "logarithms of numbers are below 400")]
-    let places = 1 - step.log10().floor() as i32;
+    let places = 1 - portable::log10(step).floor() as i32;
     places.clamp(0, 12)
 }
 

@@ -3,6 +3,7 @@
 use super::completion::{is_meant, names_for, value_at};
 use super::guide::{Allowed, Guide, Rule};
 use super::place::{Place, Step};
+use crate::math::portable;
 use serde_json::Value;
 
 /// What a property is changed with.
@@ -241,7 +242,7 @@ impl Range {
     #[must_use]
     pub fn for_slider(&self, value: f64) -> [f64; 2] {
         let reach = (2.0 * value.abs()).max(2.0);
-        let reach = 10_f64.powf(reach.log10().ceil()).min((reach * 2.0).ceil());
+        let reach = portable::power_of_ten(portable::log10(reach).ceil()).min((reach * 2.0).ceil());
         [
             self.nearest(self.low.unwrap_or(-reach)),
             self.nearest(self.high.unwrap_or(reach).max(self.low.unwrap_or(-reach))),

@@ -5,6 +5,7 @@
 //! noise there is, whatever it comes from. Both are guesses, and what is guessed best is measured.
 
 use super::{Knob, Setting, Standing, frontier};
+use crate::math::portable;
 use crate::scene::Profile;
 
 /// What one setting does, measured against the scene as it stands.
@@ -57,7 +58,7 @@ struct Partial {
 
 impl Partial {
     fn squared_error(&self, base: &Base) -> f64 {
-        (self.left * base.error.powi(2) + self.added).max(base.least.powi(2))
+        (self.left * base.error * base.error + self.added).max(base.least * base.least)
     }
 
     /// With one more setting; none if that asks for something else of the same thing, or for nothing more.
@@ -70,7 +71,7 @@ impl Partial {
         with.steps.push(index);
         with.profile = profile;
         with.factor *= step.factor;
-        let squares = [step.error.powi(2), base.error.powi(2)];
+        let squares = [step.error * step.error, base.error * base.error];
         if step.setting.knob.is_sampled() && squares[1] > 0.0 {
             with.left *= squares[0] / squares[1];
         } else {
@@ -143,8 +144,8 @@ pub fn between(steps: &[Step]) -> Vec<Step> {
         // The pair that the count lies between, or the last one.
         let pair = known.windows(2).find(|pair| at <= pair[1].0).or_else(|| known.windows(2).last())?;
         let [(low, a), (high, b)] = [pair[0], pair[1]];
-        let share = (at / low).ln() / (high / low).ln();
-        let power = |from: f64, to: f64| from * (to / from).powf(share);
+        let share = portable::ln(at / low) / portable::ln(high / low);
+        let power = |from: f64, to: f64| from * portable::powf(to / from, share);
         let (factor, error) = (power(a.factor, b.factor), power(a.error, b.error));
         (at >= low && factor.is_finite() && error.is_finite()).then_some(Step { setting, factor, error })
     };

@@ -9,6 +9,7 @@
 //! that is as close and not clearly slower. Where times and errors are exact this is Pareto's frontier itself.
 
 use super::Timing;
+use crate::math::portable;
 
 /// What counts of a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -31,7 +32,7 @@ impl Standing {
     /// Whether it is faster than another one, and not by chance.
     #[must_use]
     pub fn is_clearly_faster(&self, other: &Self) -> bool {
-        other.seconds - self.seconds > CLEAR * self.uncertainty.hypot(other.uncertainty)
+        other.seconds - self.seconds > CLEAR * portable::hypot(self.uncertainty, other.uncertainty)
     }
 
     /// Whether its error is smaller by what matters.

@@ -136,7 +136,7 @@ impl Sums {
             let variance = ((squares - mean * mean * count) / (count - 1.0)).max(Rgb::ZERO);
             // Errors are of what is stored, where all that is lighter than 1 is the same.
             let stored = |k: usize| ((variance[k] / count).sqrt() - (mean[k] - 1.0).max(0.0)).max(0.0);
-            (0..3).map(|k| stored(k).powi(2)).sum::<f64>()
+            (0..3).map(|k| stored(k) * stored(k)).sum::<f64>()
         };
         let sum: f64 = self.colours.iter().zip(&self.squares).map(squared).sum();
         (sum / (3 * self.colours.len()) as f64).sqrt()

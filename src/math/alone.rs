@@ -82,8 +82,8 @@ impl<A: Real> Real for Alone<A> {
         Self(self.0.abs())
     }
 
-    fn powf(self, exponent: Self) -> Self {
-        Self(self.0.powf(exponent.0))
+    fn pow(self, exponent: Self) -> Self {
+        Self(self.0.pow(exponent.0))
     }
 
     fn power(self, exponent: Self) -> Self {

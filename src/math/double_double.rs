@@ -4,7 +4,7 @@
 //! V. Popescu, ACM TOMS 44(2), 2017, "Tight and rigorous error bounds for basic building blocks of double-word
 //! arithmetic" (the algorithm numbers below are theirs).
 
-use super::Real;
+use super::{Real, portable};
 use std::cmp::Ordering;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -70,11 +70,11 @@ impl DoubleDouble {
     /// eˣ, for results that neither overflow nor underflow.
     ///
     /// x = k ln 2 + 512 r; the Taylor series of eʳ − 1, squared up nine times in the form that keeps its digits.
-    fn exp(self) -> Self {
+    fn exponential(self) -> Self {
         const SQUARINGS: i32 = 9;
         let multiples = (self.high / LN_2.high).round();
         let reduced = self - LN_2 * Self::from_f64(multiples);
-        let r = reduced.scaled(2.0_f64.powi(-SQUARINGS));
+        let r = reduced.scaled(portable::power_of_two(-SQUARINGS));
         let (mut term, mut sum) = (r, r);
         for k in 2..=10 {
             term = term * r / Self::from_f64(f64::from(k));
@@ -85,16 +85,18 @@ impl DoubleDouble {
         }
         let result = Self::ONE + sum;
         // Two steps, for 2ᵏ itself may be subnormal where the result is not.
-        let half = (multiples / 2.0).trunc();
-        result.scaled(half.exp2()).scaled((multiples - half).exp2())
+        #[expect(clippy::cast_possible_truncation, reason = "a whole number of at most four digits")]
+        let whole = multiples as i32;
+        let half = whole / 2;
+        result.scaled(portable::power_of_two(half)).scaled(portable::power_of_two(whole - half))
     }
 
     /// The natural logarithm of a positive number: one step of Newton's method for exp(y) = x.
-    fn ln(self) -> Self {
-        let start = Self::from_f64(self.high.ln());
-        let next = start + self * (-start).exp() - Self::ONE;
+    fn logarithm(self) -> Self {
+        let start = Self::from_f64(portable::ln(self.high));
+        let next = start + self * (-start).exponential() - Self::ONE;
         // The first step leaves the square of an error of 1e-16; near x = 1 that is relative to a small result.
-        next + self * (-next).exp() - Self::ONE
+        next + self * (-next).exponential() - Self::ONE
     }
 
     /// Times a power of two, exactly.
@@ -219,13 +221,13 @@ impl Real for DoubleDouble {
         if self.high < 0.0 { -self } else { self }
     }
 
-    fn powf(self, exponent: Self) -> Self {
-        let rough = self.high.powf(exponent.high);
+    fn pow(self, exponent: Self) -> Self {
+        let rough = portable::powf(self.high, exponent.high);
         // At the ends of the range of f64 there is no room for a low part.
         if self.high <= 0.0 || !(1e-280..1e280).contains(&rough) || !self.high.is_normal() {
             return Self::from_f64(rough);
         }
-        (exponent * self.ln()).exp()
+        (exponent * self.logarithm()).exponential()
     }
 
     fn difference_of_products(a: Self, b: Self, c: Self, d: Self) -> Self {
@@ -269,19 +271,19 @@ mod tests {
 
     #[test]
     fn the_logarithm_of_two_and_the_exponential_of_one_are_right() {
-        close(DoubleDouble::from_f64(2.0).ln(), LN_2, 1e-30);
+        close(DoubleDouble::from_f64(2.0).logarithm(), LN_2, 1e-30);
         // e = 2.71828182845904523536028747135266249775724709369995…
-        close(DoubleDouble::ONE.exp(), dd(std::f64::consts::E, 1.445_646_891_729_250_2e-16), 1e-30);
+        close(DoubleDouble::ONE.exponential(), dd(std::f64::consts::E, 1.445_646_891_729_250_2e-16), 1e-30);
     }
 
     #[test]
     fn powers_agree_with_products_and_roots() {
         let x = dd(1.7, 1e-17);
-        close(x.powf(DoubleDouble::from_f64(3.0)), x * x * x, 1e-29);
-        close(x.powf(DoubleDouble::from_f64(0.5)), x.sqrt(), 1e-30);
-        close(dd(1e-9, 0.0).powf(DoubleDouble::from_f64(0.5)), dd(1e-9, 0.0).sqrt(), 1e-28);
-        assert_eq!(DoubleDouble::ZERO.powf(DoubleDouble::from_f64(0.3)), DoubleDouble::ZERO);
-        assert_eq!(DoubleDouble::ONE.powf(DoubleDouble::from_f64(1e6)), DoubleDouble::ONE);
+        close(x.pow(DoubleDouble::from_f64(3.0)), x * x * x, 1e-29);
+        close(x.pow(DoubleDouble::from_f64(0.5)), x.sqrt(), 1e-30);
+        close(dd(1e-9, 0.0).pow(DoubleDouble::from_f64(0.5)), dd(1e-9, 0.0).sqrt(), 1e-28);
+        assert_eq!(DoubleDouble::ZERO.pow(DoubleDouble::from_f64(0.3)), DoubleDouble::ZERO);
+        assert_eq!(DoubleDouble::ONE.pow(DoubleDouble::from_f64(1e6)), DoubleDouble::ONE);
     }
 
     #[test]

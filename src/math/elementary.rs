@@ -1,8 +1,8 @@
 //! Logarithm, exponential, power, sine and cosine of plain numbers, short enough to be put in place and run side by side.
 //!
-//! The library's own power takes three times as long, for it has to be right in the last digit of results of any size. A
-//! surface asks for powers up to about 1, where the error of exp(p ln x), in proportion to |ln xᵖ|, does no harm. Being
-//! sums and products, they also come out the same on every machine.
+//! The power of [`portable`](super::portable) takes several times as long, for it has to be right in the last digit of
+//! results of any size. A surface asks for powers up to about 1, where the error of exp(p ln x), in proportion to |ln xᵖ|,
+//! does no harm. Being sums and products, they also come out the same on every machine.
 //!
 //! Source: the approximations of `e_log.c`, `e_exp.c`, `k_sin.c`, `k_cos.c` and `e_rem_pio2.c` in fdlibm 5.3 (K. C. Ng, Sun
 //! Microsystems, 1993): errors below one unit in the last place.
@@ -56,6 +56,7 @@ pub fn exp(x: f64) -> f64 {
 
 /// xᵖ for x ≥ 0, with an error of about u (1 + 2 |ln xᵖ|) xᵖ; up to e⁷⁰⁰ at most.
 #[inline]
+#[must_use]
 pub fn power(x: f64, p: f64) -> f64 {
     if x >= f64::MIN_POSITIVE { exp(p * ln(x)) } else { 0.0 }
 }

@@ -5,6 +5,7 @@ mod double_double;
 mod elementary;
 mod lane_map;
 mod pair;
+pub mod portable;
 mod precise;
 mod precise_limbs;
 mod precise_power;
@@ -18,7 +19,7 @@ mod wide_map;
 
 pub use alone::Alone;
 pub use double_double::DoubleDouble;
-pub use elementary::{exp, ln, sine_cosine};
+pub use elementary::{exp, ln, power, sine_cosine};
 pub use lane_map::{LaneMap, Lanes, coordinates};
 pub use pair::Pair;
 pub use precise::Precise;

@@ -359,7 +359,7 @@ impl Real for Precise {
         self.abs()
     }
 
-    fn powf(self, exponent: Self) -> Self {
+    fn pow(self, exponent: Self) -> Self {
         super::precise_power::power(self, exponent)
     }
 

@@ -3,6 +3,7 @@
 //! Source: R. P. Brent, P. Zimmermann, Modern Computer Arithmetic (2010), § 4.3 (reduction of the argument) and § 4.4.2
 //! (power series).
 
+use super::portable;
 use super::precise::{Float, Precise};
 use std::f64::consts;
 
@@ -32,7 +33,7 @@ pub fn power(x: Precise, exponent: Precise) -> Precise {
     let wide = x.resized::<5>();
     match (wide.parts(), exponent.resized::<5>().parts()) {
         (Some(_), Some(_)) if x > Precise::ZERO => exp(exponent.resized() * ln(wide)).resized(),
-        _ => Precise::from_f64(x.to_f64().powf(exponent.to_f64())),
+        _ => Precise::from_f64(portable::powf(x.to_f64(), exponent.to_f64())),
     }
 }
 
@@ -58,12 +59,12 @@ fn exp(x: Wide) -> Wide {
 
 /// ln x for x > 0: two steps of Halley's method for exp(y) = m, where x = m 2ᵉ. Each step multiplies the digits by three.
 fn ln(x: Wide) -> Wide {
-    let Some((mut m, mut exponent)) = x.parts() else { return Wide::from_f64(x.to_f64().ln()) };
+    let Some((mut m, mut exponent)) = x.parts() else { return Wide::from_f64(portable::ln(x.to_f64())) };
     if m.to_f64() < consts::FRAC_1_SQRT_2 {
         m = m.scaled(1);
         exponent -= 1;
     }
-    let mut y = Wide::from_f64(m.to_f64().ln());
+    let mut y = Wide::from_f64(portable::ln(m.to_f64()));
     for _ in 0..2 {
         let reached = exp(y);
         y = y + ((m - reached) / (m + reached)).scaled(1);

@@ -4,7 +4,7 @@
 //! these with a running bound on its error, [`Shadowed`](super::Shadowed) one with its true error; [`Alone`](super::Alone) is
 //! one of these that never turns to another. [`Precise`](super::Precise) is what all are measured against.
 
-use super::{DoubleDouble, Precise};
+use super::{DoubleDouble, Precise, portable};
 use std::fmt::Debug;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -65,11 +65,11 @@ pub trait Real:
     fn abs(self) -> Self;
     /// A non-negative number to a real power.
     #[must_use]
-    fn powf(self, exponent: Self) -> Self;
+    fn pow(self, exponent: Self) -> Self;
     /// A non-negative number to a real power, fast: with an error of about u (1 + 2 |ln r|) r for the result r.
     #[must_use]
     fn power(self, exponent: Self) -> Self {
-        self.powf(exponent)
+        self.pow(exponent)
     }
     /// a·b − c·d with an error of at most 2 ulp of the result (Kahan; Jeannerod, Louvet, Muller 2013).
     fn difference_of_products(a: Self, b: Self, c: Self, d: Self) -> Self;
@@ -122,8 +122,8 @@ impl Real for f64 {
         self.abs()
     }
 
-    fn powf(self, exponent: Self) -> Self {
-        self.powf(exponent)
+    fn pow(self, exponent: Self) -> Self {
+        portable::powf(self, exponent)
     }
 
     #[inline]
@@ -170,8 +170,8 @@ impl Real for f32 {
         self.abs()
     }
 
-    fn powf(self, exponent: Self) -> Self {
-        self.powf(exponent)
+    fn pow(self, exponent: Self) -> Self {
+        Self::from_f64(portable::powf(self.into(), exponent.into()))
     }
 
     #[expect(clippy::cast_possible_truncation, reason = "the products are exact in f64, one rounding is left")]

@@ -137,12 +137,12 @@ impl<A: Real> Real for Shadowed<A> {
         Self { value: self.value.abs(), exact: self.exact.abs() }
     }
 
-    fn powf(self, exponent: Self) -> Self {
-        Self { value: self.value.powf(exponent.value), exact: self.exact.powf(exponent.exact) }
+    fn pow(self, exponent: Self) -> Self {
+        Self { value: self.value.pow(exponent.value), exact: self.exact.pow(exponent.exact) }
     }
 
     fn power(self, exponent: Self) -> Self {
-        Self { value: self.value.power(exponent.value), exact: self.exact.powf(exponent.exact) }
+        Self { value: self.value.power(exponent.value), exact: self.exact.pow(exponent.exact) }
     }
 
     fn difference_of_products(a: Self, b: Self, c: Self, d: Self) -> Self {
@@ -200,7 +200,7 @@ mod tests {
     fn expression<A: Real>(x: A, y: A) -> A {
         let hypotenuse = (x * x + y * y).sqrt();
         let minor = A::difference_of_products(x, y, hypotenuse, x - y);
-        (minor / hypotenuse).abs().powf(A::from_f64(1.5)) - x / y
+        (minor / hypotenuse).abs().pow(A::from_f64(1.5)) - x / y
     }
 
     proptest! {

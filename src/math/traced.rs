@@ -7,7 +7,7 @@
 //! Source: J. H. Wilkinson, "Error analysis revisited", IMA Bulletin 22 (1986); N. J. Higham, Accuracy and Stability of
 //! Numerical Algorithms, 2nd ed., § 3.3 (running error analysis).
 
-use super::{DoubleDouble, Real};
+use super::{DoubleDouble, Real, portable};
 use std::cell::Cell;
 use std::cmp::Ordering;
 use std::ops::{Add, Div, Mul, Neg, Sub};
@@ -55,7 +55,7 @@ impl<A: Real> Traced<A> {
     fn raised(self, exponent: Self, value: A, own: f64) -> Self {
         let size = value.abs().to_f64();
         let relative = if self.error > 0.0 { exponent.size() * self.error / (self.size() - self.error) } else { 0.0 };
-        let by_exponent = if exponent.error > 0.0 { self.size().ln().abs() * exponent.error } else { 0.0 };
+        let by_exponent = if exponent.error > 0.0 { portable::ln(self.size()).abs() * exponent.error } else { 0.0 };
         let relative = if relative < 0.0 { f64::INFINITY } else { relative };
         let inherited = if size > 0.0 { size * (relative + by_exponent + own) } else { 0.0 };
         Self::rounded(value, inherited)
@@ -165,14 +165,14 @@ impl<A: Real> Real for Traced<A> {
         Self { value: self.value.abs(), error: self.error }
     }
 
-    /// Libraries round powers to within an ulp, two roundings.
-    fn powf(self, exponent: Self) -> Self {
-        self.raised(exponent, self.value.powf(exponent.value), A::UNIT_ROUNDOFF)
+    /// Powers are right to within an ulp, two roundings.
+    fn pow(self, exponent: Self) -> Self {
+        self.raised(exponent, self.value.pow(exponent.value), A::UNIT_ROUNDOFF)
     }
 
     fn power(self, exponent: Self) -> Self {
         let value = self.value.power(exponent.value);
-        let log = exponent.size() * if self.size() > 0.0 { self.size().ln().abs() } else { 0.0 };
+        let log = exponent.size() * if self.size() > 0.0 { portable::ln(self.size()).abs() } else { 0.0 };
         self.raised(exponent, value, A::UNIT_ROUNDOFF * (2.0 + 2.0 * log))
     }
 
@@ -220,7 +220,7 @@ mod tests {
     fn expression<A: Real>(x: A, y: A) -> A {
         let hypotenuse = (x * x + y * y).sqrt();
         let minor = A::difference_of_products(x, y, hypotenuse, x - y);
-        (minor / hypotenuse).abs().powf(A::from_f64(1.5)) - x / y
+        (minor / hypotenuse).abs().pow(A::from_f64(1.5)) - x / y
     }
 
     proptest! {

@@ -10,6 +10,7 @@
 //!
 //! **Source.** M. Born and E. Wolf, Principles of Optics (7th edition), § 14.2, eqs. 14 to 16; the form of P is that of § 1.5.2.
 
+use crate::math::portable;
 use crate::record::{self, Entry, What};
 use glam::DVec3;
 
@@ -18,7 +19,7 @@ use glam::DVec3;
 #[must_use]
 pub fn conductor_reflectance([cosine, sine]: [f64; 2], eta: f64, k: f64) -> f64 {
     let d = (eta - sine) * (eta + sine) - k * k;
-    let h = d.hypot(2.0 * eta * k);
+    let h = portable::hypot(d, 2.0 * eta * k);
     let larger = (0.5 * (h + d.abs())).sqrt();
     let smaller = if larger > 0.0 { eta * k / larger } else { 0.0 };
     let [a, b] = if d < 0.0 { [smaller, larger] } else { [larger, smaller] };
@@ -51,7 +52,7 @@ pub fn conductor_entry([direction, normal]: [DVec3; 2], n1: f64, eta: DVec3, k: 
         eta: eta.to_array(),
         k: k.to_array(),
         n1,
-        theta: sine.atan2(cosine).to_degrees(),
+        theta: portable::atan2(sine, cosine).to_degrees(),
         reflectance: found.to_array(),
     };
     let theta = event.theta;

@@ -11,7 +11,7 @@
 //!
 //! **Source.** de Greve, "Reflections and Refractions in Ray Tracing" (2006), eqs. 14, 21 and 22, rearranged as above.
 
-use crate::math::{DoubleDouble, Real, dot, scale_to_unit};
+use crate::math::{DoubleDouble, Real, dot, portable, scale_to_unit};
 use glam::DVec3;
 
 /// Indices are kept from being smaller than this beside the larger one, which lies in [1, 2). Smaller ones would
@@ -158,21 +158,21 @@ impl Optics {
     /// θ₁ in degrees.
     #[must_use]
     pub fn theta1_degrees(&self) -> f64 {
-        self.sin_i.atan2(self.cos_i).to_degrees()
+        portable::atan2(self.sin_i, self.cos_i).to_degrees()
     }
 
     /// θ₂ in degrees; none for total internal reflection.
     #[must_use]
     pub fn theta2_degrees(&self) -> Option<f64> {
         let [n1, n2] = self.indices;
-        self.cos_t.map(|cos_t| (n1 / n2 * self.sin_i).atan2(cos_t).to_degrees())
+        self.cos_t.map(|cos_t| portable::atan2(n1 / n2 * self.sin_i, cos_t).to_degrees())
     }
 
     /// The angle of incidence in degrees beyond which all light is reflected; none where n₁ < n₂.
     #[must_use]
     pub fn critical_angle_degrees(&self) -> Option<f64> {
         let [n1, n2] = self.indices;
-        (n1 >= n2).then(|| (n2 / n1).asin().to_degrees())
+        (n1 >= n2).then(|| portable::asin(n2 / n1).to_degrees())
     }
 
     /// Fresnel's R_s and R_p: the reflectance of light that swings across the plane of incidence, and in it.

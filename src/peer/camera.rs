@@ -2,6 +2,7 @@
 //! `direction + (x − ½) right + (½ − y) up`.
 
 use super::import::Image;
+use crate::math::portable;
 use glam::DVec3;
 use serde::Deserialize;
 use serde_json::{Value, json};
@@ -78,7 +79,7 @@ impl Camera {
             "eye": location,
             "look_at": (eye + direction * FAR).to_array(),
             "up": up.to_array(),
-            "field_of_view": 2.0 * half_height.atan().to_degrees(),
+            "field_of_view": 2.0 * portable::atan(half_height).to_degrees(),
         }))
     }
 }

@@ -128,9 +128,9 @@ pub fn format_number(x: f64) -> String {
 
 /// Six significant digits without an exponent, trailing zeros removed.
 fn plain_decimal(magnitude: f64) -> String {
-    // Between 1e-4 and 1e7 the decimal exponent lies between −4 and 6.
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 to 9, see above")]
-    let decimals = (5.0 - magnitude.log10().floor()).max(0.0) as usize;
+    // Nine decimals from 1e-4 on, and with each of these powers of ten one fewer.
+    const POWERS: [f64; 9] = [1e-3, 1e-2, 1e-1, 1.0, 1e1, 1e2, 1e3, 1e4, 1e5];
+    let decimals = POWERS.iter().filter(|power| magnitude < **power).count();
     let text = format!("{magnitude:.decimals$}");
     if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
 }

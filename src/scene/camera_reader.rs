@@ -5,6 +5,7 @@ use super::camera_file::{ApertureFile, CameraFile, LensFile, PixelFilterFile, Sa
 use super::coat_reader::CoatReader;
 use super::compile::unit;
 use super::problem::{Path, Problems};
+use crate::math::portable;
 use crate::sample::{Aperture, PixelFilter};
 use glam::DVec3;
 
@@ -32,7 +33,7 @@ pub(super) fn camera(file: &CameraFile, problems: &mut Problems) -> Option<Camer
         return None;
     }
     let right = across.normalize();
-    let half_height = (file.field_of_view.to_radians() * 0.5).tan();
+    let half_height = portable::tan(file.field_of_view.to_radians() * 0.5);
     Some(Camera { eye, right, up: right.cross(forward), forward, half_height })
 }
 

@@ -150,9 +150,17 @@ pub enum ShortcutFile {
 }
 
 /// The JSON Schema of accuracy profiles.
+#[cfg(not(target_arch = "wasm32"))]
 #[must_use]
 pub fn profile_schema() -> Schema {
     schemars::schema_for!(ProfileFile)
+}
+
+/// The JSON Schema of accuracy profiles, as the program has written it elsewhere.
+#[cfg(target_arch = "wasm32")]
+#[must_use]
+pub fn profile_schema() -> Schema {
+    super::file::written_schema(include_str!("../../scenes/profile.schema.json"))
 }
 
 impl Profile {

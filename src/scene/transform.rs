@@ -1,6 +1,7 @@
 //! From the steps of a transform to an affine map.
 
 use super::solid_file::{Scale, Transform};
+use crate::math::portable;
 use glam::{DAffine3, DMat3, DVec3};
 
 impl Transform {
@@ -76,7 +77,7 @@ fn sine_and_cosine(degrees: f64) -> (f64, f64) {
         90.0 => (1.0, 0.0),
         180.0 => (0.0, -1.0),
         270.0 => (-1.0, 0.0),
-        _ => turn.to_radians().sin_cos(),
+        _ => portable::sin_cos(turn.to_radians()),
     }
 }
 

@@ -6,7 +6,7 @@
 //!
 //! Powers cost more than all else here. Those with small whole or half exponents are products and square roots.
 
-use crate::math::{Real, ln};
+use crate::math::{Real, ln, portable};
 
 /// How x^p is worked out.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -121,7 +121,7 @@ impl Exponents {
         let (first, second, radius, up) = (first.to_f64(), second.to_f64(), radius.to_f64(), up.to_f64());
         let both = first + second;
         let total = radius + up;
-        let log = self.log(excess.to_f64(), total);
+        let log = self.logarithm(excess.to_f64(), total);
         let per_total = if total > 0.0 { 1.0 / total } else { 0.0 };
         let across = if radius.is_finite() { radius * per_total } else { 1.0 };
         let each = if both > 0.0 { across / both } else { 0.0 };
@@ -175,7 +175,7 @@ impl Exponents {
 
     /// ln g from F and F + 1, of which the former has the digits near the surface and the latter inside.
     #[inline]
-    fn log(&self, excess: f64, total: f64) -> f64 {
+    fn logarithm(&self, excess: f64, total: f64) -> f64 {
         let log = if excess.abs() < 1e-4 {
             excess * (1.0 - excess * (0.5 - excess * (1.0 / 3.0 - 0.25 * excess)))
         } else {
@@ -225,9 +225,9 @@ impl Exponents {
 fn norm(p: f64, u: f64, v: f64) -> (f64, [f64; 2]) {
     let (most, least) = (u.max(v), u.min(v));
     let ratio = least / most;
-    let power = ratio.powf(p);
+    let power = portable::powf(ratio, p);
     let sum = 1.0 + power;
-    let factor = sum.powf(1.0 / p);
+    let factor = portable::powf(sum, 1.0 / p);
     let value = if most > 0.0 { most * factor } else { 0.0 };
     let along_most = factor / sum;
     // (least / value)^(p − 1); at least = 0 the limit.

@@ -1,5 +1,6 @@
 //! Polylines from which outlines are made.
 
+use crate::math::portable;
 use glam::DVec3;
 
 /// Corners of a drawn circle. Fewer would show as corners on a large drawing.
@@ -12,7 +13,7 @@ pub(super) fn closed_curve(point: impl Fn(f64) -> DVec3) -> Vec<DVec3> {
 
 /// The circle of this radius about the z axis at this height.
 pub(super) fn circle(radius: f64, z: f64) -> Vec<DVec3> {
-    closed_curve(|angle| DVec3::new(radius * angle.cos(), radius * angle.sin(), z))
+    closed_curve(|angle| DVec3::new(radius * portable::cos(angle), radius * portable::sin(angle), z))
 }
 
 /// Two points that span the plane across `normal`, together with it a right-handed frame; not zero.

@@ -1,7 +1,7 @@
 //! What every primitive tells a recorder after its own working: d(t), and the hit times with their fates.
 
 use super::{Bounds, Crossing, GenericRay, Part, Primitive};
-use crate::math::Real;
+use crate::math::{Real, portable};
 use crate::record::{Accuracy, Candidate, CandidateFate, Entry, Measured, Sense, Sign, SignSpan, Triple, Value, What};
 
 /// How many values of d(t) are kept: enough for a smooth curve at the width of a plot.
@@ -33,8 +33,8 @@ pub(super) fn measured_vector<A: Real>(v: [A; 3], power_of_two: f64) -> Measured
 
 /// An error, and the digits that it takes from a number of this size.
 fn accuracy<A: Real>(error: f64, value: f64) -> Accuracy {
-    let digits = -A::UNIT_ROUNDOFF.log10();
-    let lost = if error > 0.0 { digits + (error / value.abs()).log10() } else { 0.0 };
+    let digits = -portable::log10(A::UNIT_ROUNDOFF);
+    let lost = if error > 0.0 { digits + portable::log10(error / value.abs()) } else { 0.0 };
     Accuracy { error, digits_lost: lost.clamp(0.0, digits) }
 }
 

@@ -28,7 +28,7 @@
 use super::boundary::{Boundaries, Root};
 use super::solver::{self, Attempt, Call, Solver};
 use super::{Approach, Bounds, Crossing, Crossings, GenericRay, Part, Primitive, outline, report, tangents};
-use crate::math::{Real, cross, dot};
+use crate::math::{Real, cross, dot, portable};
 use crate::record::{Candidate, Entry, Recorder, Value, What};
 use glam::{DVec2, DVec3};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
@@ -151,7 +151,7 @@ impl Primitive for Sphere {
 
     /// u is the longitude from the x axis, v the latitude from the south pole.
     fn uv(&self, point: DVec3, _part: Part) -> DVec2 {
-        let latitude = point.z.atan2(point.truncate().length());
+        let latitude = portable::atan2(point.z, point.truncate().length());
         DVec2::new(turn(point.truncate()), ((latitude + FRAC_PI_2) / PI).clamp(0.0, 1.0))
     }
 
@@ -177,8 +177,10 @@ impl Primitive for Sphere {
     fn outline(&self) -> Vec<Vec<DVec3>> {
         let parallels = [-0.6, 0.0, 0.6].map(|z: f64| outline::circle((1.0 - z * z).sqrt(), z));
         let meridians = [0.0, 1.0, 2.0, 3.0].map(|k| {
-            let (sin, cos) = (k * PI / 4.0).sin_cos();
-            outline::closed_curve(|angle| DVec3::new(cos * angle.cos(), sin * angle.cos(), angle.sin()))
+            let (sin, cos) = portable::sin_cos(k * PI / 4.0);
+            outline::closed_curve(|angle| {
+                DVec3::new(cos * portable::cos(angle), sin * portable::cos(angle), portable::sin(angle))
+            })
         });
         parallels.into_iter().chain(meridians).collect()
     }
@@ -198,7 +200,7 @@ impl Primitive for Sphere {
 
 /// The angle about the z axis as a share of a full turn.
 pub(super) fn turn(point: DVec2) -> f64 {
-    let angle = point.y.atan2(point.x) / TAU;
+    let angle = portable::atan2(point.y, point.x) / TAU;
     (if angle < 0.0 { angle + 1.0 } else { angle }).clamp(0.0, 1.0)
 }
 

@@ -36,7 +36,7 @@ use super::solver::{self, Attempt, Call, Solver};
 use super::superellipsoid_line::Line;
 use super::superellipsoid_search::{Findings, Wanted, search};
 use super::{Approach, Bounds, Crossing, Crossings, GenericRay, Part, Primitive, report, tangents};
-use crate::math::Real;
+use crate::math::{Real, portable};
 use crate::record::{Candidate, Entry, Recorder, Value, What, format_number};
 use glam::{DVec2, DVec3};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
@@ -70,9 +70,9 @@ impl Superellipsoid {
 
 /// cos and sin to the power 2 / exponent, with their signs: a curve on which |a|^exponent + |b|^exponent = 1.
 fn super_circle(angle: f64, exponent: f64) -> DVec2 {
-    let power = |x: f64| x.signum() * x.abs().powf(2.0 / exponent);
+    let power = |x: f64| x.signum() * portable::powf(x.abs(), 2.0 / exponent);
     // The quarter turns exactly: there the sine or cosine is zero but for rounding.
-    let (sin, cos) = angle.sin_cos();
+    let (sin, cos) = portable::sin_cos(angle);
     let clean = |x: f64| if x.abs() < 1e-15 { 0.0 } else { x };
     DVec2::new(power(clean(cos)), power(clean(sin)))
 }
@@ -96,7 +96,7 @@ impl Solver for Superellipsoid {
         let probe = line.probe(found.closest.map_or(A::ZERO, |closest| closest.at));
         Call {
             question: "Is the ray inside at the closest place, g < 1?",
-            value: probe.log.exp_m1(),
+            value: portable::exp_m1(probe.log),
             doubt: line.doubt(&probe).log,
             input_doubt: line.input_doubt(probe.at),
             near: (line.foot + probe.at).to_f64(),
@@ -163,7 +163,7 @@ impl Primitive for Superellipsoid {
 
     /// u is the longitude from the x axis, v the latitude from the south pole.
     fn uv(&self, point: DVec3, _part: Part) -> DVec2 {
-        let latitude = point.z.atan2(point.truncate().length());
+        let latitude = portable::atan2(point.z, point.truncate().length());
         DVec2::new(super::sphere::turn(point.truncate()), ((latitude + FRAC_PI_2) / PI).clamp(0.0, 1.0))
     }
 
@@ -214,7 +214,7 @@ impl Primitive for Superellipsoid {
         // Powers of the larger of x and y times a sum between 1 and 2: no step overflows before the result does.
         let (most, least) = (x.max(y), x.min(y));
         let ratio = if most > 0.0 { least / most } else { 0.0 };
-        most.powf(m) * (1.0 + ratio.powf(n)).powf(m / n) + z.powf(m) - 1.0
+        portable::powf(most, m) * portable::powf(1.0 + portable::powf(ratio, n), m / n) + portable::powf(z, m) - 1.0
     }
 
     fn equation(&self) -> String {

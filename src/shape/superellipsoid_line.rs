@@ -6,7 +6,7 @@
 use super::GenericRay;
 use super::boundary::Root;
 use super::gauge::{Bend, Exponents, Level};
-use crate::math::{Real, exp};
+use crate::math::{Real, exp, portable};
 
 /// The ray in one coordinate: c (δ − zero) + resting.
 #[derive(Clone, Copy)]
@@ -114,7 +114,7 @@ impl<'a, A: Real> Line<'a, A> {
             let size = resting.abs().to_f64();
             if size <= blur && blur > 0.0 {
                 let exponent = exponents.of_axis(i);
-                dimness += blur.powf(exponent) / exponent;
+                dimness += portable::powf(blur, exponent) / exponent;
             }
             let haze = if size > 0.0 { blur / size } else { 0.0 };
             Axis { speed: A::ZERO, zero: A::ZERO, resting, moves: false, haze }

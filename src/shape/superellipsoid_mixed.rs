@@ -16,7 +16,7 @@ use super::gauge::Exponents;
 use super::superellipsoid_line::Line;
 use super::superellipsoid_root::{Bracket, Cusp};
 use super::superellipsoid_search::Search;
-use crate::math::Real;
+use crate::math::{Real, portable};
 
 /// d = ρ − σ at one place of the ray.
 #[derive(Clone, Copy)]
@@ -167,7 +167,7 @@ impl<A: Real> Search<'_, A> {
         let fall = high.slope_doubt - towards * high.slopes_towards(towards < 0.0, n)[0];
         let over = (high.most + fall * length) / low.height;
         let rises = n < 1.0 && climb > 0.0 && low.height > 0.0;
-        rises && (fall <= 0.0 || over.powf(m - 1.0) * fall < 0.9 * climb)
+        rises && (fall <= 0.0 || portable::powf(over, m - 1.0) * fall < 0.9 * climb)
     }
 
     fn lines(&self, left: &Cut<A>, right: &Cut<A>, length: f64) -> Lines {
@@ -222,7 +222,7 @@ fn cut<A: Real>(line: &Line<A>, at: A) -> Cut<A> {
     let rest = 1.0 / (1.0 + steepness);
     let off = rounding * line.exponents.m;
     let cancelled = if rest < 1e4 * off || !blurred.is_finite() {
-        (rest + off).powf(1.0 / line.exponents.m)
+        portable::powf(rest + off, 1.0 / line.exponents.m)
     } else {
         sigma * rounding / rest + blurred
     };

@@ -6,7 +6,7 @@
 
 use super::boundary::Root;
 use super::superellipsoid_line::{Line, Probe};
-use crate::math::Real;
+use crate::math::{Real, portable};
 
 /// A stretch with one root in it.
 pub(super) struct Bracket<A> {
@@ -48,7 +48,7 @@ impl<A: Real> Cusp<A> {
         let newton = 1.0 - self.exponent * probe.excess / (slope * distance);
         let chord = self.excess / (self.excess - probe.excess);
         let factor = if newton > 0.0 && slope * distance > 0.0 { newton } else { chord };
-        (distance * (factor.powf(1.0 / self.exponent) - 1.0), 2)
+        (distance * (portable::powf(factor, 1.0 / self.exponent) - 1.0), 2)
     }
 }
 
@@ -91,7 +91,7 @@ pub(super) fn root_in<A: Real>(line: &Line<A>, bracket: &Bracket<A>) -> Root {
         if exact {
             // What the next step would be, as the last two go.
             let scale = cusp.map_or(last, |cusp| last.min((at - cusp.at).to_f64().abs()));
-            let expected = size * (size / scale).powi(if converges { order } else { 1 });
+            let expected = size * portable::powi(size / scale, if converges { order } else { 1 });
             let in_noise = probe.log.abs() <= 2.0 * A::UNIT_ROUNDOFF * line.exponents.roundings();
             // Far from the surface a step of nothing only says that T has overflowed.
             // A step within the rounding of τ may leave the bracket, whose ends were not rounded so.

@@ -257,7 +257,7 @@ mod tests {
         }
         let number = DoubleDouble::from_f64;
         let place = |i: usize| (number(origin[i]) + number(direction[i]) * number(t)).abs();
-        let power = |x: DoubleDouble, p: f64, q: f64| x.powf(number(p) / number(q));
+        let power = |x: DoubleDouble, p: f64, q: f64| x.pow(number(p) / number(q));
         let radius = power(power(place(0), n, 1.0) + power(place(1), n, 1.0), m, n);
         let wide = (radius + power(place(2), m, 1.0) - DoubleDouble::ONE).to_f64();
         (wide.abs() > 1e-20).then_some(wide < 0.0)

@@ -36,7 +36,7 @@ use super::{
     Approach, Bounds, Crossing, Crossings, GenericRay, HalfSpace, Part, Primitive, outline, plane_table, report,
     tangents,
 };
-use crate::math::{Pair, Real, scale_to_unit};
+use crate::math::{Pair, Real, portable, scale_to_unit};
 use crate::record::{Candidate, Entry, Recorder, Sense, format_number};
 use glam::{DVec2, DVec3};
 
@@ -308,13 +308,13 @@ impl Primitive for TaperedCylinder {
     }
 
     fn ball_radius(&self) -> f64 {
-        self.s.max(1.0).hypot(0.5)
+        portable::hypot(self.s.max(1.0), 0.5)
     }
 
     /// The rims, and eight lines up the wall.
     fn outline(&self) -> Vec<Vec<DVec3>> {
         let side = |k: u32| {
-            let (sin, cos) = (f64::from(k) * std::f64::consts::FRAC_PI_4).sin_cos();
+            let (sin, cos) = portable::sin_cos(f64::from(k) * std::f64::consts::FRAC_PI_4);
             vec![DVec3::new(cos, sin, 0.0), DVec3::new(self.s * cos, self.s * sin, 1.0)]
         };
         let cap = (self.s > 0.0).then(|| outline::circle(self.s, 1.0));

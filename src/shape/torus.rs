@@ -29,7 +29,7 @@ use super::solver::{self, Attempt, Call, Solver};
 use super::torus_quartic::{Line, Quartic, Turn, Turns};
 use super::torus_roots;
 use super::{Approach, Bounds, Crossing, Crossings, GenericRay, Part, Primitive, outline, report, tangents};
-use crate::math::Real;
+use crate::math::{Real, portable};
 use crate::record::{Candidate, Certificate, Entry, Recorder, Sense, Value, What};
 use glam::{DVec2, DVec3};
 use std::f64::consts::{FRAC_PI_4, TAU};
@@ -88,7 +88,7 @@ impl Torus {
         let doubt = if A::DOUBT_IS_ZERO { by_quartic.min(quartic.surface_doubt()) } else { by_quartic };
         let [x, y, z] = quartic.point(turn.at).map(|x| x.abs().to_f64());
         let [sway_x, sway_y, sway_z] = ray.sway(quartic.tau(turn.at).to_f64());
-        let radius = x.hypot(y);
+        let radius = portable::hypot(x, y);
         let outward = if radius > 0.0 { (x * sway_x + y * sway_y) / radius } else { sway_x + sway_y };
         let d = quartic.d.to_f64();
         let moved = 2.0 * (radius - d).abs() * (outward + d) + 2.0 * z * sway_z;
@@ -249,11 +249,11 @@ impl Primitive for Torus {
         let outward = |radius: f64, z: f64| (radius > 0.0).then(|| outline::circle(radius, z));
         let about_axis = [(self.d + 1.0, 0.0), (self.d, 1.0), (self.d - 1.0, 0.0), (self.d, -1.0)];
         // A spindle's tube meets the axis at the angle ±reach from outward.
-        let reach = if self.d < 1.0 { (-self.d).acos() } else { TAU / 2.0 };
+        let reach = if self.d < 1.0 { portable::acos(-self.d) } else { TAU / 2.0 };
         let about_tube = (0..8).map(|k| {
-            let (sin, cos) = (f64::from(k) * FRAC_PI_4).sin_cos();
-            let point = |angle: f64| (DVec2::new(cos, sin) * (self.d + angle.cos())).extend(angle.sin());
-            (-64..=64).map(|step| point(reach * f64::from(step) / 64.0)).collect()
+            let (sin, cos) = portable::sin_cos(f64::from(k) * FRAC_PI_4);
+            let point = |(up, out): (f64, f64)| (DVec2::new(cos, sin) * (self.d + out)).extend(up);
+            (-64..=64).map(|step| point(portable::sin_cos(reach * f64::from(step) / 64.0))).collect()
         });
         about_axis.into_iter().filter_map(|(radius, z)| outward(radius, z)).chain(about_tube).collect()
     }

@@ -1,6 +1,6 @@
 //! The recorded trace as JSON, with a format name that changes when its meaning does.
 
-use super::picture::srgb;
+use super::encoding::srgb;
 use super::tree::RayTree;
 use crate::record::{Event, Triple, What};
 use schemars::generate::SchemaSettings;

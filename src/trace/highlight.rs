@@ -1,6 +1,7 @@
 //! The highlight of a light: Phong's about the mirrored direction, or Ward's along a grain.
 
 use super::finish::Finish;
+use crate::math::{portable, power};
 use crate::optics::reflect;
 use crate::record::{Binding, Entry};
 use crate::scene::Rgb;
@@ -29,7 +30,7 @@ impl Highlight {
     /// The factor itself.
     pub fn value(&self) -> f64 {
         match self {
-            Self::Phong { r_dot_v, exponent, .. } => r_dot_v.powf(*exponent),
+            Self::Phong { r_dot_v, exponent, .. } => phong(*r_dot_v, *exponent),
             Self::Ward(ward) => ward.highlight,
         }
     }
@@ -59,4 +60,10 @@ impl Highlight {
             }
         }
     }
+}
+
+/// (r · v)^f. Results too small for the fast power, and 0⁰, are left to the other one.
+fn phong(r_dot_v: f64, exponent: f64) -> f64 {
+    let fast = power(r_dot_v, exponent);
+    if fast > 0.0 { fast } else { portable::powf(r_dot_v, exponent) }
 }

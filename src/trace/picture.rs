@@ -1,5 +1,6 @@
 //! Whole pictures: every pixel by the same function, on all cores, coarse to fine where somebody is watching.
 
+use super::encoding::srgb;
 use super::pixel::trace_pixel_with;
 use super::ray::Tracer;
 use super::tally::Tally;
@@ -231,36 +232,16 @@ fn trace_row(
 /// Three sRGB bytes a pixel.
 fn rgb8(pixels: &[Rgb]) -> Vec<u8> {
     let mut bytes = Vec::with_capacity(3 * pixels.len());
-    // A power is dear. A coarse picture is made of blocks of one colour, and many a fine one has a plain background.
+    // A coarse picture is made of blocks of one colour, and many a fine one has a plain background.
     for run in pixels.chunk_by(|a, b| a == b) {
         bytes.extend(std::iter::repeat_n(srgb(run[0]), run.len()).flatten());
     }
     bytes
 }
 
-/// Linear RGB, clamped to [0, 1], as sRGB bytes (IEC 61966-2-1).
-#[must_use]
-pub fn srgb(linear: Rgb) -> [u8; 3] {
-    linear.to_array().map(|channel| {
-        let clamped = channel.clamp(0.0, 1.0);
-        let encoded = if clamped <= 0.003_130_8 { 12.92 * clamped } else { 1.055 * clamped.powf(1.0 / 2.4) - 0.055 };
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 0 and 255")]
-        let byte = (255.0 * encoded).round() as u8;
-        byte
-    })
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn srgb_bytes_are_those_of_the_standard() {
-        assert_eq!(srgb(Rgb::ZERO), [0, 0, 0]);
-        assert_eq!(srgb(Rgb::ONE), [255, 255, 255]);
-        assert_eq!(srgb(Rgb::new(0.5, 0.214_041, 0.002)), [188, 127, 7]);
-        assert_eq!(srgb(Rgb::new(-1.0, 2.0, f64::INFINITY)), [0, 255, 255]);
-    }
 
     #[test]
     fn every_pixel_has_its_own_bytes_in_a_run_of_one_colour_and_beside_it() {

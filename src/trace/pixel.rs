@@ -1,7 +1,7 @@
 //! One pixel: the six steps of § 6.1 in their order.
 
 use super::beam::Beam;
-use super::picture::srgb;
+use super::encoding::srgb;
 use super::ray::{Ray, Tracer, describe_step};
 use super::tree::{RayTree, TreeRecorder};
 use crate::record::{Binding, Entry, Recorder, What};

@@ -1,5 +1,7 @@
 //! A number line: from values to points, with ticks at round numbers.
 
+use crate::math::portable;
+
 /// Maps values to points linearly.
 #[derive(Clone, Copy, Debug)]
 pub struct Axis {
@@ -38,7 +40,7 @@ impl Axis {
 
 /// The smallest of 1, 2 or 5 times a power of ten that is not less than `step`.
 pub fn round_step(step: f64) -> f64 {
-    let power = 10_f64.powf(step.log10().floor());
+    let power = portable::power_of_ten(portable::log10(step).floor());
     let factor = [1.0, 2.0, 5.0, 10.0].into_iter().find(|factor| factor * power >= step * (1.0 - 1e-9)).unwrap_or(10.0);
     factor * power
 }

@@ -5,6 +5,7 @@
 use super::fonts::{Face, text_width};
 use super::outline::Pen;
 use super::palette::Colour;
+use crate::math::portable;
 use crate::record::EventId;
 use std::borrow::Cow;
 
@@ -274,7 +275,7 @@ impl Drawing {
 
 /// The length of a vector.
 pub(super) fn length(v: Spot) -> f64 {
-    v[0].hypot(v[1])
+    portable::hypot(v[0], v[1])
 }
 
 #[cfg(test)]

@@ -6,6 +6,7 @@ use super::fonts::Face;
 use super::labels::Label;
 use super::palette::{Colour, Theme};
 use super::text::brief;
+use crate::math::portable;
 use std::fmt::Write as _;
 
 /// What is to be plotted.
@@ -181,10 +182,10 @@ impl Painter<'_> {
 
     fn at(&self, [x, y]: Spot) -> Spot {
         let y = match self.panel.scale {
-            Scale::Log(from, to) => y.log10().max(f64::from(from)).min(f64::from(to)),
+            Scale::Log(from, to) => portable::log10(y).max(f64::from(from)).min(f64::from(to)),
             Scale::Share => y,
         };
-        [self.x.at(x.log10()), self.y.at(y)]
+        [self.x.at(portable::log10(x)), self.y.at(y)]
     }
 
     fn curves(&mut self) {

@@ -4,6 +4,7 @@ use super::drawing::{Anchor, Drawing, Form, Frame, HALO, Spot, Stroke, Text};
 use super::fonts::glyphs;
 use super::outline::Pen;
 use super::palette::Colour;
+use crate::math::portable;
 use ab_glyph::OutlineCurve;
 use tiny_skia::{
     Color, FillRule, LineCap, LineJoin, Paint, Path, PathBuilder, Pixmap, PremultipliedColorU8, StrokeDash, Transform,
@@ -197,7 +198,7 @@ fn arc_points(centre: Spot, radius: f64, angles: [f64; 2]) -> Vec<Spot> {
     let steps = whole(((angles[1] - angles[0]).abs() * radius.sqrt() * 3.6).ceil().max(4.0), 360);
     let at = |step: u32| {
         let angle = angles[0] + (angles[1] - angles[0]) * f64::from(step) / f64::from(steps);
-        [centre[0] + radius * angle.cos(), centre[1] + radius * angle.sin()]
+        [centre[0] + radius * portable::cos(angle), centre[1] + radius * portable::sin(angle)]
     };
     (0..=steps).map(at).collect()
 }

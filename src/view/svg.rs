@@ -5,6 +5,7 @@ use super::fonts::Face;
 use super::outline::Pen;
 use super::paint::arrow_head;
 use super::palette::Colour;
+use crate::math::portable;
 use std::fmt::Write as _;
 
 /// A drawing as an SVG document. Texts stay texts, so that they can be searched, read aloud and edited.
@@ -163,7 +164,8 @@ pub(super) fn outline(steps: &[Pen], number: impl Fn(f64) -> String) -> String {
 }
 
 fn arc(centre: Spot, radius: f64, [from, to]: [f64; 2]) -> String {
-    let at = |angle: f64| [centre[0] + radius * angle.cos(), centre[1] + radius * angle.sin()].map(number);
+    let at =
+        |angle: f64| [centre[0] + radius * portable::cos(angle), centre[1] + radius * portable::sin(angle)].map(number);
     let ([x0, y0], [x1, y1], r) = (at(from), at(to), number(radius));
     let large = u8::from((to - from).abs() > std::f64::consts::PI);
     let sweep = u8::from(to > from);

@@ -7,6 +7,7 @@ use super::drawing::{Anchor, Drawing, Form, Frame, Stroke, Text};
 use super::fonts::Face;
 use super::palette::{Colour, Palette, Theme};
 use super::text::count;
+use crate::math::portable;
 use crate::record::{Certificate, Event, EventId, RayKind, What};
 use crate::trace::RayTree;
 use std::fmt::Write as _;
@@ -341,7 +342,7 @@ impl Strip<'_> {
         let counts = (0..self.scale.slots(BAR)).map(|slot| sharing.iter().map(|bars| bars[slot]).sum::<u32>());
         for (slot, count) in counts.enumerate().filter(|(_, count)| *count > 0) {
             let x = self.scale.left + BAR * slot as f64;
-            let height = (1.0 + f64::from(count).log2() * 0.6).min(4.5);
+            let height = (1.0 + portable::log2(f64::from(count)) * 0.6).min(4.5);
             let frame = Frame { low: [x, bottom - height], high: [(x + BAR * 0.75).min(self.scale.right), bottom] };
             self.drawing.put(Form::Rect { frame, fill: Some(fill), stroke: None }, None);
         }

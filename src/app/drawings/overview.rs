@@ -5,6 +5,7 @@ use super::seen::{REACH, Seen, describe, focus_ring};
 use crate::app::frame::words::say;
 use crate::app::story::recording::Recording;
 use crate::document::rounded;
+use crate::math::portable;
 use crate::record::EventId;
 use crate::scene::Scene;
 use crate::view::{Drawing, OverviewOptions, Stand, Wireframe, overview};
@@ -107,7 +108,7 @@ impl OverviewPane {
         }
         if response.hovered() {
             let (scroll, pinch) = ui.input(|input| (input.smooth_scroll_delta.y, input.zoom_delta()));
-            self.zoom(f64::from(pinch) * (f64::from(scroll) / 200.0).exp());
+            self.zoom(f64::from(pinch) * portable::exp(f64::from(scroll) / 200.0));
         }
     }
 
@@ -124,7 +125,7 @@ impl OverviewPane {
             self.turn(KEY_TURN * across, KEY_TURN * upward);
         }
         let closer = pressed(KeyName::Plus) + pressed(KeyName::Equals) - pressed(KeyName::Minus);
-        self.zoom(KEY_ZOOM.powf(closer));
+        self.zoom(portable::powf(KEY_ZOOM, closer));
     }
 
     /// How it is turned: yaw and pitch in degrees, and the zoom. None where one looks through the scene's own camera.

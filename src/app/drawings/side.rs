@@ -6,6 +6,7 @@ use crate::app::frame::empty::empty;
 use crate::app::frame::theme::drawing_theme;
 use crate::app::frame::words::say;
 use crate::app::story::recording::Recording;
+use crate::math::portable;
 use crate::record::EventId;
 use crate::scene::Scene;
 use crate::trace::RayTree;
@@ -176,7 +177,7 @@ impl SidePanel {
         self.sight.pan = pan;
         let Some(pointer) = response.hover_pos() else { return };
         let (scroll, pinch) = ui.input(|input| (input.smooth_scroll_delta.y, input.zoom_delta()));
-        let factor = f64::from(pinch) * (f64::from(scroll) / 200.0).exp();
+        let factor = f64::from(pinch) * portable::exp(f64::from(scroll) / 200.0);
         let zoom = (before * factor).clamp(*ZOOM_RANGE.start(), *ZOOM_RANGE.end());
         // What lies under the pointer stays there.
         let from_middle = pointer - rect.center();

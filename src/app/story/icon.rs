@@ -1,7 +1,7 @@
 //! Pictures on the buttons that move and play, in the manner of a debugger's.
 
 use crate::story::Step;
-use egui::{Color32, Painter, Pos2, Shape, Stroke, pos2, vec2};
+use egui::{Color32, Painter, Pos2, Shape, Stroke, Vec2, pos2, vec2};
 
 /// What a button shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -60,7 +60,7 @@ fn draw_move(painter: &Painter, step: Step, c: Pos2, colour: Color32) {
         Step::Over => {
             let arc: Vec<Pos2> = (0..=12)
                 .map(|i| std::f32::consts::PI * (1.0 - i as f32 / 12.0))
-                .map(|angle| c + vec2(7.0 * angle.cos(), 1.0 - 7.0 * angle.sin()))
+                .map(|angle| c + vec2(0.0, 1.0) + 7.0 * Vec2::angled(-angle))
                 .collect();
             painter.add(Shape::line(arc, line));
             let tip = c + vec2(7.0, 3.5);

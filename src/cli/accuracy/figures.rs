@@ -1,6 +1,7 @@
 //! Figures as people read them: three digits, no more zeros than help.
 
 use crate::laboratory::{Answer, Goal};
+use crate::math::portable;
 
 /// A number with three digits that count.
 pub fn short(x: f64) -> String {
@@ -11,7 +12,7 @@ pub fn short(x: f64) -> String {
         return format!("{x}");
     }
     #[expect(clippy::cast_possible_truncation, reason = "the exponents of doubles are small")]
-    let power = x.abs().log10().floor() as i32;
+    let power = portable::log10(x.abs()).floor() as i32;
     match power {
         -4..=2 => format!("{x:.*}", usize::try_from(2 - power).unwrap_or(0)),
         3..=5 => format!("{x:.0}"),

@@ -5,6 +5,7 @@
 //! program moves the start of a ray off the surface that it left, all that follows along this ray may be off by ten times that
 //! distance.
 
+use crate::math::portable;
 use glam::DVec3;
 
 /// The share that is allowed where nobody says otherwise: what is left of programs that print nine digits and compute in
@@ -34,7 +35,7 @@ pub struct Allowance {
 impl Allowance {
     /// What is allowed along a ray, so many rays away from the camera ray, whose start lies `moved` from ours.
     pub fn new(share: f64, depth: u32, moved: f64) -> Self {
-        Self { share: share * 4_f64.powi(depth.min(5).cast_signed()), plain: share, moved }
+        Self { share: share * portable::powi(4.0, depth.min(5).cast_signed()), plain: share, moved }
     }
 
     /// How far the ray's start lies from ours.

@@ -2,6 +2,7 @@
 
 use super::{of_each_pixel, size};
 use crate::csg::Course;
+use crate::math::portable;
 use crate::record::NullRecorder;
 use crate::scene::{Camera, Scene};
 use crate::shape::{Method, Solving};
@@ -49,7 +50,7 @@ pub fn map_of_digits(scene: &Scene, values: Vec<f64>) -> HeatMap {
 
 /// The digits that the scene's method has.
 fn digits_of(scene: &Scene) -> f64 {
-    -(scene.solving.method.coarseness() * 0.5 * f64::EPSILON).log10()
+    -portable::log10(scene.solving.method.coarseness() * 0.5 * f64::EPSILON)
 }
 
 /// The ray from the eye through the middle of a pixel.
@@ -72,7 +73,7 @@ fn lost(found: Option<f64>, truth: Option<f64>, digits: f64) -> f64 {
     match (found, truth) {
         (None, None) => f64::NAN,
         (Some(found), Some(truth)) if found == truth => 0.0,
-        (Some(found), Some(truth)) => (digits + ((found - truth) / truth).abs().log10()).clamp(0.0, digits),
+        (Some(found), Some(truth)) => (digits + portable::log10(((found - truth) / truth).abs())).clamp(0.0, digits),
         _ => f64::INFINITY,
     }
 }

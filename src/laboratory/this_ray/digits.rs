@@ -1,5 +1,6 @@
 //! How right a number is.
 
+use crate::math::portable;
 use crate::record::{Candidate, CandidateFate, Event, Value, What, Working};
 
 /// A number of an event.
@@ -21,7 +22,7 @@ pub fn digits_right(error: f64, size: f64) -> f64 {
     if error == 0.0 {
         return f64::INFINITY;
     }
-    let digits = -(error / size).log10();
+    let digits = -portable::log10(error / size);
     if digits > 0.0 { digits } else { 0.0 }
 }
 

@@ -5,7 +5,7 @@
 //! is laid against what it was worked out from.
 
 use super::digits::{Number, is_working, numbers};
-use crate::math::Real;
+use crate::math::{Real, portable};
 use crate::record::{Event, EventId, What};
 use crate::shape::Method;
 use crate::trace::RayTree;
@@ -37,7 +37,7 @@ pub fn digits_of(method: Method) -> f64 {
         Method::DoubleDouble => crate::math::DoubleDouble::UNIT_ROUNDOFF,
         Method::Exact => crate::math::Precise::UNIT_ROUNDOFF,
     };
-    -roundoff.log10()
+    -portable::log10(roundoff)
 }
 
 /// How right things are of the ray that is being followed, in digits.

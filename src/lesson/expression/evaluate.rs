@@ -2,6 +2,7 @@
 
 use super::value::Value;
 use super::{ExpressionError, Kind, Node, Operator, functions};
+use crate::math::portable;
 use crate::query::terms;
 use crate::record::EventId;
 
@@ -189,7 +190,7 @@ fn numbers(operator: Operator, a: f64, b: f64) -> Value {
         Operator::Subtract => Value::Number(a - b),
         Operator::Multiply => Value::Number(a * b),
         Operator::Divide => Value::Number(a / b),
-        Operator::Power => Value::Number(a.powf(b)),
+        Operator::Power => Value::Number(portable::powf(a, b)),
         Operator::Less => Value::Truth(a < b),
         Operator::LessOrEqual => Value::Truth(a <= b),
         Operator::Greater => Value::Truth(a > b),

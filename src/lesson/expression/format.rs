@@ -1,6 +1,7 @@
 //! How a value is written.
 
 use super::Value;
+use crate::math::portable;
 use crate::record::format_number;
 
 /// What stands after the colon of `{{value:format}}`.
@@ -100,7 +101,7 @@ fn in_words(x: f64) -> String {
 /// Rounded to so many digits, and then written as any number of up to six; with more digits as they come.
 fn significant(x: f64, digits: usize) -> String {
     let rounded: f64 = format!("{x:.*e}", digits - 1).parse().unwrap_or(x);
-    let exponent = x.abs().log10().floor();
+    let exponent = portable::log10(x.abs()).floor();
     if digits <= 6 || !(-5.0..15.0).contains(&exponent) {
         return format_number(rounded);
     }

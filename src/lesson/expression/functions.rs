@@ -3,6 +3,7 @@
 use super::evaluate::{Known, Question, evaluate, first, number};
 use super::value::Value;
 use super::{ExpressionError, Kind, Node, Operator, lists};
+use crate::math::portable;
 use crate::record::EventId;
 
 type Outcome = Result<Value, ExpressionError>;
@@ -14,15 +15,15 @@ type OfOne = (&'static str, fn(f64) -> f64);
 const OF_ONE: [OfOne; 18] = [
     ("abs", f64::abs),
     ("sqrt", f64::sqrt),
-    ("sin", f64::sin),
-    ("cos", f64::cos),
-    ("tan", f64::tan),
-    ("asin", f64::asin),
-    ("acos", f64::acos),
-    ("atan", f64::atan),
-    ("exp", f64::exp),
-    ("ln", f64::ln),
-    ("log10", f64::log10),
+    ("sin", portable::sin),
+    ("cos", portable::cos),
+    ("tan", portable::tan),
+    ("asin", portable::asin),
+    ("acos", portable::acos),
+    ("atan", portable::atan),
+    ("exp", portable::exp),
+    ("ln", portable::ln),
+    ("log10", portable::log10),
     ("floor", f64::floor),
     ("ceil", f64::ceil),
     ("round", f64::round),

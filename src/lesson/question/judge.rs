@@ -4,6 +4,7 @@ use super::pose::{Form, Posed, Reckoned, Spot, Stretch};
 use crate::lesson::expression::ExpressionError;
 use crate::lesson::prose::{Prose, Told};
 use crate::lesson::stage::Stage;
+use crate::math::portable;
 use serde::{Deserialize, Serialize};
 
 /// What a student answers.
@@ -78,7 +79,8 @@ impl Posed {
     #[must_use]
     pub fn judge_click(&self, click: [f64; 2], project: impl Fn(&Spot) -> Option<[f64; 2]>) -> Verdict {
         let Form::Place(_, reckoned) = &self.form else { return Verdict::wrong(None) };
-        let distance = |spot: &Spot| project(spot).map_or(f64::INFINITY, |[x, y]| (x - click[0]).hypot(y - click[1]));
+        let distance =
+            |spot: &Spot| project(spot).map_or(f64::INFINITY, |[x, y]| portable::hypot(x - click[0], y - click[1]));
         self.reckoned(reckoned, distance)
     }
 

@@ -5,6 +5,7 @@
 //!
 //! **Source** J. Schwarze, "Cubic and quartic roots", Graphics Gems (1990), pp. 404–407 and the program on pp. 738–740.
 
+use crate::math::portable;
 use std::f64::consts::FRAC_PI_3;
 
 /// What counts as zero.
@@ -81,19 +82,19 @@ fn cubic_roots([c, b, a]: [f64; 3]) -> Found {
         if is_zero(q) {
             roots.push(0.0);
         } else {
-            let u = (-q).cbrt();
+            let u = portable::cbrt(-q);
             roots.push(2.0 * u);
             roots.push(-u);
         }
     } else if discriminant < 0.0 {
-        let angle = (-q / (-cube).sqrt()).acos() / 3.0;
+        let angle = portable::acos(-q / (-cube).sqrt()) / 3.0;
         let size = 2.0 * (-p).sqrt();
-        roots.push(size * angle.cos());
-        roots.push(-size * (angle + FRAC_PI_3).cos());
-        roots.push(-size * (angle - FRAC_PI_3).cos());
+        roots.push(size * portable::cos(angle));
+        roots.push(-size * portable::cos(angle + FRAC_PI_3));
+        roots.push(-size * portable::cos(angle - FRAC_PI_3));
     } else {
         let root = discriminant.sqrt();
-        roots.push((root - q).cbrt() - (root + q).cbrt());
+        roots.push(portable::cbrt(root - q) - portable::cbrt(root + q));
     }
     roots.moved(-a / 3.0)
 }

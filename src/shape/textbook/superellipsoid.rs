@@ -9,6 +9,7 @@
 //! **Source** The search of any numerical textbook, such as W. H. Press et al., Numerical Recipes, 3rd ed., § 9.1.
 
 use super::append_alternating;
+use crate::math::portable;
 use crate::shape::gauge::Exponents;
 use crate::shape::{Crossings, GenericRay, Part};
 use smallvec::SmallVec;
@@ -37,7 +38,7 @@ pub fn crossings(exponents: Exponents, stretches: u32, ray: &GenericRay<f64>, cr
 
 /// F = (|x|ⁿ + |y|ⁿ)^(m/n) + |z|ᵐ − 1.
 fn implicit(Exponents { n, m, .. }: Exponents, [x, y, z]: [f64; 3]) -> f64 {
-    (x.abs().powf(n) + y.abs().powf(n)).powf(m / n) + z.abs().powf(m) - 1.0
+    portable::powf(portable::powf(x.abs(), n) + portable::powf(y.abs(), n), m / n) + portable::powf(z.abs(), m) - 1.0
 }
 
 /// Where the sign of d changes between two places.

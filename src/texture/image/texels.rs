@@ -1,6 +1,7 @@
 //! An image as numbers, and its pyramid of ever smaller copies.
 
 use super::wrap::Wraps;
+use crate::math::portable;
 use glam::DVec3;
 use std::sync::OnceLock;
 
@@ -31,7 +32,7 @@ impl Encoding {
             Self::Linear => stored,
             // IEC 61966-2-1, 5.2: the straight piece up to 0.04045, and the power above it.
             Self::Srgb if stored <= 0.040_45 => stored / 12.92,
-            Self::Srgb => ((stored + 0.055) / 1.055).powf(2.4),
+            Self::Srgb => portable::powf((stored + 0.055) / 1.055, 2.4),
         };
         #[expect(clippy::cast_possible_truncation, reason = "kept with 24 bits, where files have 8 or 16")]
         let kept = linear as f32;

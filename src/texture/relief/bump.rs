@@ -11,6 +11,7 @@
 //! **Source** J. Blinn, "Simulation of wrinkled surfaces", SIGGRAPH 1978. (The notes print + for × in N′ = P′_u × P′_v.)
 
 use super::site::Site;
+use crate::math::portable;
 use crate::record::{Binding, Bump as Record, Entry, Recorder, What};
 use glam::DVec3;
 
@@ -108,7 +109,7 @@ impl Terms {
     ) -> Entry {
         let ([p_u, p_v], [b_u, b_v]) = (site.tangents, rise.slopes);
         let exact = turning.and_then(|turning| self.exactly(site, rise, turning));
-        let dropped = exact.map(|(_, unit)| after.cross(unit).length().atan2(after.dot(unit)).to_degrees());
+        let dropped = exact.map(|(_, unit)| portable::atan2(after.cross(unit).length(), after.dot(unit)).to_degrees());
         let sum = self.sum(rise);
         let [n_u, n_v] = turning.unwrap_or_default();
         let mut bindings: Vec<Binding> = [

@@ -34,7 +34,8 @@ impl Ward {
         let half = light + eye;
         let [alpha, beta] = roughness;
         let [x, y, z] = [frame.tangent, frame.binormal, frame.normal].map(|axis| half.dot(axis));
-        let exponent = ((x / alpha).powi(2) + (y / beta).powi(2)) / (z * z);
+        let (along, across) = (x / alpha, y / beta);
+        let exponent = (along * along + across * across) / (z * z);
         let (n_l, n_v) = (frame.normal.dot(light), frame.normal.dot(eye));
         let is_lit = n_l > 0.0 && n_v > 0.0;
         let highlight =

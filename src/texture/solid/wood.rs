@@ -11,7 +11,7 @@
 
 use super::noise::fade;
 use super::turbulence::Turbulence;
-use crate::math::sine_cosine;
+use crate::math::{portable, sine_cosine};
 use crate::record::{Binding, Entry, Recorder, Rings, What};
 use glam::DVec3;
 use std::f64::consts::PI;
@@ -214,9 +214,9 @@ impl Wood {
 fn angle_about_axis(place: &Place) -> (&'static str, f64) {
     let Place { x, y, radius, .. } = *place;
     if x < 0.0 {
-        ("180 − 2 arctan(y / (r − x))", 180.0 - 2.0 * (y / (radius - x)).atan().to_degrees())
+        ("180 − 2 arctan(y / (r − x))", 180.0 - 2.0 * portable::atan(y / (radius - x)).to_degrees())
     } else {
-        ("2 arctan(y / (r + x))", 2.0 * (y / (radius + x)).atan().to_degrees())
+        ("2 arctan(y / (r + x))", 2.0 * portable::atan(y / (radius + x)).to_degrees())
     }
 }
 

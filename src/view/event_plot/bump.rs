@@ -1,5 +1,6 @@
 //! A bump: the tangent plane seen from above with what tilts the normal, and a cut through both normals.
 
+use crate::math::portable;
 use crate::record::{Bump, Triple};
 use crate::view::drawing::length;
 use crate::view::sheet::{Fact, SMALL, Sheet, is_roomy};
@@ -101,7 +102,7 @@ fn side(sheet: &mut Sheet, angle: f64, room: &Frame) {
     if reach < 24.0 || !angle.is_finite() {
         return;
     }
-    let (sin, cos) = angle.to_radians().sin_cos();
+    let (sin, cos) = portable::sin_cos(angle.to_radians());
     let along = |by: f64, [x, y]: Spot| [foot[0] + by * x, foot[1] - by * y];
     let half = 0.8 * reach;
     let ink = sheet.palette.ink;
@@ -122,7 +123,7 @@ fn side(sheet: &mut Sheet, angle: f64, room: &Frame) {
     };
     sheet.drawing.put(arc, sheet.event);
     let half_way = 0.5 * angle.to_radians();
-    let label = along(0.45 * reach, [half_way.sin(), half_way.cos()]);
+    let label = along(0.45 * reach, [portable::sin(half_way), portable::cos(half_way)]);
     sheet.write_near(&format!("{}°", brief(angle)), label, 5.0, ink);
     sheet.write_near("N", before, 5.0, sheet.palette.normal);
     sheet.write_near("N′", after, 5.0, sheet.palette.normal);

@@ -1,5 +1,6 @@
 //! A ray's stretch in a medium: what is left of each colour along it, and the points at which light is turned.
 
+use crate::math::portable;
 use crate::record::Segment;
 use crate::view::sheet::{Chart, Fact, Sheet, is_roomy, within_axes};
 use crate::view::text::{brief, brief_vector};
@@ -28,11 +29,11 @@ pub(super) fn draw(sheet: &mut Sheet, segment: &Segment, turned_at: &[f64]) {
     let chart = Chart::free(frame, [0.0, length], [0.0, 1.04]);
     for (rate, (stroke, _)) in rates.into_iter().zip(strokes) {
         let at = |step: u32| length * f64::from(step) / f64::from(STEPS);
-        let points: Vec<Spot> = (0..=STEPS).map(|step| chart.at([at(step), (-rate * at(step)).exp()])).collect();
+        let points: Vec<Spot> = (0..=STEPS).map(|step| chart.at([at(step), portable::exp(-rate * at(step))])).collect();
         sheet.placer.avoid_outline(&points);
         sheet.line(&chart.frame, &points, stroke);
         if whole {
-            sheet.mark(&chart.frame, chart.at([length, (-rate * length).exp()]), 3.4, stroke.colour);
+            sheet.mark(&chart.frame, chart.at([length, portable::exp(-rate * length)]), 3.4, stroke.colour);
         }
     }
     for at in turned_at.iter().filter(|at| chart.x.shows(**at)) {

@@ -1,6 +1,7 @@
 //! White light taken apart at an interface: a ray of each wavelength in its own colour, and the index of refraction that
 //! bends it so.
 
+use crate::math::portable;
 use crate::optics::pure;
 use crate::record::{EventId, Wavelength, What};
 use crate::trace::RayTree;
@@ -121,7 +122,7 @@ fn rays(sheet: &mut Sheet, all: &[(EventId, &Wavelength)], own: &Wavelength, fan
     }
     let foot = room.middle();
     let along = |length: f64, degrees: f64, down: f64| {
-        let (sin, cos) = degrees.to_radians().sin_cos();
+        let (sin, cos) = portable::sin_cos(degrees.to_radians());
         [foot[0] + down * length * sin, foot[1] + down * length * cos]
     };
     let (ink, faint) = (sheet.palette.ink, sheet.palette.faint);
@@ -161,7 +162,12 @@ fn arc(sheet: &mut Sheet, centre: Spot, radius: f64, ends: [f64; 2], name: &str)
     let arc = Form::Arc { centre, radius, angles: [from, to], stroke: Stroke::solid(ink, 1.2) };
     sheet.drawing.put(arc, sheet.event);
     let half = f64::midpoint(from, to);
-    sheet.write_near(name, [centre[0] + radius * half.cos(), centre[1] + radius * half.sin()], 4.0, ink);
+    sheet.write_near(
+        name,
+        [centre[0] + radius * portable::cos(half), centre[1] + radius * portable::sin(half)],
+        4.0,
+        ink,
+    );
 }
 
 /// The index of the medium that takes the light apart, by wavelength.

@@ -1,5 +1,6 @@
 //! Tangent, binormal and normal before and after, in space, with the roughness along and across the grain.
 
+use crate::math::portable;
 use crate::record::{FrameMap, Triple};
 use crate::view::sheet::{Fact, Oblique, Sheet, is_roomy};
 use crate::view::text::{brief, place};
@@ -86,5 +87,5 @@ fn highlight([along, across]: [f64; 2]) -> [&'static str; 2] {
 /// Places around a circle.
 fn circle(at: impl Fn(f64, f64) -> Spot) -> Vec<Spot> {
     let angles = (0..72).map(|i| f64::from(i) * std::f64::consts::TAU / 72.0);
-    angles.map(|angle| at(angle.cos(), angle.sin())).collect()
+    angles.map(|angle| at(portable::cos(angle), portable::sin(angle))).collect()
 }

@@ -1,5 +1,6 @@
 //! The phase function at a point where light is turned: its lobe as a polar curve about the ray, with the ways to the lights.
 
+use crate::math::portable;
 use crate::record::Phase;
 use crate::view::sheet::{Chart, Fact, Sheet, is_roomy};
 use crate::view::text::brief;
@@ -32,7 +33,7 @@ pub(super) fn draw(sheet: &mut Sheet, phases: &[&Phase]) {
     ];
     let (frame, _) = sheet.facts(room, &facts);
     let curve = curve(anisotropy);
-    let reach = curve.iter().map(|[x, y]| x.hypot(*y)).fold(0.0, f64::max);
+    let reach = curve.iter().map(|[x, y]| portable::hypot(*x, *y)).fold(0.0, f64::max);
     if !is_roomy(&frame) || !(1e-150..1e150).contains(&reach) {
         return;
     }
@@ -76,7 +77,7 @@ fn ray(sheet: &mut Sheet, chart: &Chart, arm: f64, colour: Colour) {
 /// p(cosθ) at every angle about the ray.
 fn curve(g: f64) -> Vec<Spot> {
     let place = |step: u32| {
-        let (sine, cosine) = (TAU * f64::from(step) / f64::from(STEPS)).sin_cos();
+        let (sine, cosine) = portable::sin_cos(TAU * f64::from(step) / f64::from(STEPS));
         let squared = 1.0 + g * g - 2.0 * g * cosine;
         let value = (1.0 - g * g) / (4.0 * PI * squared * squared.sqrt());
         [value * cosine, value * sine]

@@ -1,5 +1,6 @@
 //! An image behind a drawing of its texels, in blocks that are large enough to be seen.
 
+use crate::math::portable;
 use crate::texture::image::{Texels, Wraps};
 use crate::view::sheet::{Chart, Sheet, shown};
 
@@ -14,8 +15,12 @@ pub(super) fn draw(sheet: &mut Sheet, chart: &Chart, texels: &Texels) {
     /// So many halvings bring any image to one texel.
     const MOST_HALVINGS: u32 = 32;
     let texel = chart.scale();
-    let Some(halvings) = (0..MOST_HALVINGS).find(|&k| texel * f64::from(k).exp2() >= SMALLEST_BLOCK) else { return };
-    let side = f64::from(halvings).exp2();
+    let Some(halvings) =
+        (0..MOST_HALVINGS).find(|&k| texel * portable::power_of_two(k.cast_signed()) >= SMALLEST_BLOCK)
+    else {
+        return;
+    };
+    let side = portable::power_of_two(halvings.cast_signed());
     let level = texels.level(halvings as usize);
     let range = |axis: usize, values: [f64; 2]| {
         let last = f64::from(level.size()[axis]) - 1.0;

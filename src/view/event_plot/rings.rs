@@ -1,5 +1,6 @@
 //! The log cut across: light and dark rings, and the point in one of them.
 
+use crate::math::portable;
 use crate::record::{Rings, Triple};
 use crate::view::sheet::{Chart, Fact, Sheet, is_roomy, rim, within_axes};
 use crate::view::text::brief;
@@ -56,7 +57,7 @@ pub(super) fn draw(sheet: &mut Sheet, rings: &Rings, point: Option<Triple>) {
 /// that reads well, for the event does not tell where the axis is.
 fn direction(radius: f64, point: Option<Triple>) -> (Spot, bool) {
     match point {
-        Some([x, y, _]) if radius > 0.0 && (x.hypot(y) - radius).abs() < 1e-9 * radius => {
+        Some([x, y, _]) if radius > 0.0 && (portable::hypot(x, y) - radius).abs() < 1e-9 * radius => {
             ([x / radius, y / radius], true)
         }
         _ => ([0.8, 0.6], false),
@@ -66,8 +67,8 @@ fn direction(radius: f64, point: Option<Triple>) -> (Spot, bool) {
 /// The dark rings that are seen; the chart is at most some dozens of rings wide.
 fn odd_rings(chart: &Chart) -> impl Iterator<Item = f64> + use<> {
     let ([left, right], [bottom, top]) = (chart.x.values, chart.y.values);
-    let nearest = 0.0_f64.max(left).min(right).hypot(0.0_f64.max(bottom).min(top));
-    let farthest = left.abs().max(right.abs()).hypot(bottom.abs().max(top.abs()));
+    let nearest = portable::hypot(0.0_f64.max(left).min(right), 0.0_f64.max(bottom).min(top));
+    let farthest = portable::hypot(left.abs().max(right.abs()), bottom.abs().max(top.abs()));
     let first = 2.0 * ((nearest - 1.0) / 2.0).floor().max(0.0) + 1.0;
     (0..400).map(move |i| first + 2.0 * f64::from(i)).take_while(move |ring| *ring < farthest)
 }
@@ -79,13 +80,13 @@ fn band(sheet: &mut Sheet, chart: &Chart, ring: f64, towards: Spot, fill: Colour
     let [width, height] = chart.frame.size();
     let outer = ring + 1.0;
     let radius = outer * chart.scale();
-    let half = (1.5 * width.hypot(height) / (ring * chart.scale())).min(std::f64::consts::PI);
+    let half = (1.5 * portable::hypot(width, height) / (ring * chart.scale())).min(std::f64::consts::PI);
     let step = (8.0 * COARSEST / radius).sqrt();
     let steps = (2.0 * half / step).ceil().clamp(12.0, 2_000.0);
-    let middle = towards[1].atan2(towards[0]);
+    let middle = portable::atan2(towards[1], towards[0]);
     let place = |r: f64, i: i32| {
         let angle = middle - half + 2.0 * half * f64::from(i) / steps;
-        chart.at([r * angle.cos(), r * angle.sin()])
+        chart.at([r * portable::cos(angle), r * portable::sin(angle)])
     };
     #[expect(clippy::cast_possible_truncation, reason = "at most 2000")]
     let last = steps as i32;

@@ -3,6 +3,7 @@
 use super::paper::Paper;
 use super::scale::LogScale;
 use super::{FrontierPlot, Layout, PlotPoint};
+use crate::math::portable;
 use crate::view::drawing::{Form, Spot, Stroke};
 use crate::view::palette::{Colour, Palette};
 use std::f64::consts::{PI, TAU};
@@ -78,7 +79,8 @@ const SHAPES: usize = 14;
 
 /// A shape about a place.
 fn outline(shape: usize, at: Spot) -> Vec<Spot> {
-    let polar = |radius: f64, angle: f64| [at[0] + radius * angle.sin(), at[1] - radius * angle.cos()];
+    let polar =
+        |radius: f64, angle: f64| [at[0] + radius * portable::sin(angle), at[1] - radius * portable::cos(angle)];
     let regular = |corners: u32, radius: f64, turn: f64| {
         (0..corners).map(|k| polar(radius * RADIUS, turn + TAU * f64::from(k) / f64::from(corners))).collect()
     };
@@ -114,7 +116,7 @@ fn cross(at: Spot, turn: f64) -> Vec<Spot> {
     let (arm, half) = (1.3 * RADIUS, 0.42 * RADIUS);
     let quarter = [[-half, -arm], [half, -arm], [half, -half]];
     let corners = (0..4_u8).flat_map(|k| {
-        let (sin, cos) = (turn + f64::from(k) * PI / 2.0).sin_cos();
+        let (sin, cos) = portable::sin_cos(turn + f64::from(k) * PI / 2.0);
         quarter.map(|[x, y]| [at[0] + x * cos - y * sin, at[1] + x * sin + y * cos])
     });
     corners.collect()

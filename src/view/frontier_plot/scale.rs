@@ -1,5 +1,6 @@
 //! A logarithmic axis: its range, its ticks and their names.
 
+use crate::math::portable;
 use crate::view::axis::Axis;
 
 /// Maps positive values to points by their logarithms.
@@ -27,7 +28,7 @@ const FEW: usize = 3;
 impl LogScale {
     /// An axis over all positive ones of the values, between two places in points.
     pub fn over(values: impl Iterator<Item = f64>, points: [f64; 2]) -> Self {
-        let logs: Vec<f64> = values.filter(|value| value.is_finite() && *value > 0.0).map(f64::log10).collect();
+        let logs: Vec<f64> = values.filter(|value| value.is_finite() && *value > 0.0).map(portable::log10).collect();
         let low = logs.iter().copied().fold(f64::INFINITY, f64::min);
         let high = logs.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         let [low, high] = if low <= high { [low, high] } else { [-1.0, 0.0] };
@@ -37,7 +38,7 @@ impl LogScale {
 
     /// The point of a value; what has no logarithm lies at the low end.
     pub fn at(&self, value: f64) -> f64 {
-        if value > 0.0 { self.axis.at(value.log10()) } else { self.axis.points[0] }
+        if value > 0.0 { self.axis.at(portable::log10(value)) } else { self.axis.points[0] }
     }
 
     /// The lines between two places in points, from low to high.
@@ -47,7 +48,7 @@ impl LogScale {
         let slack = 1.0 + 0.2 * (last - first);
         #[expect(clippy::cast_possible_truncation, reason = "logarithms of f64 are a few hundred")]
         let powers = (first - slack).floor() as i32..=(last + slack).ceil() as i32;
-        let all = powers.flat_map(|power| (1..10).map(move |k| (f64::from(k), 10_f64.powi(power))));
+        let all = powers.flat_map(|power| (1..10).map(move |k| (f64::from(k), portable::powi(10.0, power))));
         let shown: Vec<_> = all.filter(|(k, power)| (low..=high).contains(&self.at(k * power))).collect();
         let majors = shown.iter().filter(|(k, _)| *k == 1.0).count();
         let named = |k: f64| k == 1.0 || (majors < FEW && (k == 2.0 || k == 5.0));
@@ -72,8 +73,8 @@ pub fn error(value: f64) -> String {
     if value >= 0.999e-3 {
         return significant(value);
     }
-    let power = (value.log10() + 1e-9).floor();
-    let digit = (value / 10_f64.powf(power)).round();
+    let power = (portable::log10(value) + 1e-9).floor();
+    let digit = (value / portable::power_of_ten(power)).round();
     #[expect(clippy::cast_possible_truncation, reason = "logarithms of f64 are a few hundred")]
     let power = crate::view::log_plot::power_of_ten(power as i32);
     if digit > 1.5 { format!("{digit} · {power}") } else { power }
@@ -81,7 +82,7 @@ pub fn error(value: f64) -> String {
 
 /// Two digits, without zeros behind the point.
 fn significant(value: f64) -> String {
-    let power = value.abs().max(1e-300).log10().floor();
+    let power = portable::log10(value.abs().max(1e-300)).floor();
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at least 0")]
     let decimals = (1.0 - power).clamp(0.0, 12.0) as usize;
     let text = format!("{value:.decimals$}");

@@ -9,6 +9,7 @@ use super::axes::doubt_label;
 use super::cluster::{Cluster, PITCH, SIZE};
 use super::marker::{RADIUS, RING, bar, colour, knob_paths, staircase};
 use super::paper::Paper;
+use crate::math::portable;
 use crate::view::drawing::{Anchor, Form, Frame, Spot, Stroke, length};
 use crate::view::labels::{Label, clip};
 
@@ -200,7 +201,7 @@ impl<'a> Field<'a> {
         let size = self.layout.clusters[k].size();
         // 0, then ever farther to both sides of it.
         let step = f64::from(direction.div_ceil(2)) * if direction.is_multiple_of(2) { 1.0 } else { -1.0 };
-        let (sin, cos) = (step * std::f64::consts::TAU / f64::from(DIRECTIONS)).sin_cos();
+        let (sin, cos) = portable::sin_cos(step * std::f64::consts::TAU / f64::from(DIRECTIONS));
         let reach = self.gaps[k] + distance;
         let anchor = match cos {
             c if c > 0.3 => Anchor::Start,

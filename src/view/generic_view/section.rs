@@ -2,6 +2,7 @@
 
 use super::{Subject, subtitle};
 use crate::csg::{Leaf, Placement, Solid};
+use crate::math::portable;
 use crate::view::axis::round_step;
 use crate::view::drawing::{Anchor, Frame, Spot, Stroke};
 use crate::view::sheet::{SMALL, Sheet};
@@ -68,7 +69,7 @@ fn axes(sheet: &mut Sheet, frame: &Frame, plane: &PlaneView) {
     let faint = sheet.palette.faint;
     for (axis, name) in [(DVec3::X, "x"), (DVec3::Y, "y"), (DVec3::Z, "z")] {
         let [x, y] = plane.shift(axis);
-        if x.hypot(y) < 0.35 * plane.scale {
+        if portable::hypot(x, y) < 0.35 * plane.scale {
             continue;
         }
         let end = |length: f64| [origin[0] + x * length, origin[1] + y * length];

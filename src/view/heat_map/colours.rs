@@ -6,6 +6,7 @@
 //! (public domain, 2019), which is off by at most two hundredths.
 
 use super::{HeatMap, HeatScale};
+use crate::math::portable;
 use crate::view::palette::{Colour, Palette};
 
 /// Shades of a scale: more could not be told apart, and make larger files.
@@ -50,7 +51,7 @@ const KINDS: [Colour; 8] = [
 /// The colour of a kind.
 pub fn kind(number: usize) -> Colour {
     let (again, number) = (number / KINDS.len(), number % KINDS.len());
-    KINDS[number].mixed(Colour::hex(0), 1.0 - 0.62_f64.powi(i32::try_from(again.min(4)).unwrap_or(4)))
+    KINDS[number].mixed(Colour::hex(0), 1.0 - portable::powi(0.62, i32::try_from(again.min(4)).unwrap_or(4)))
 }
 
 /// Levels of a channel in the colours of directions. More would make larger files, fewer would show steps.

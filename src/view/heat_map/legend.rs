@@ -2,6 +2,7 @@
 
 use super::colours::{Paint, SHADES};
 use super::{HeatMap, HeatScale, SMALL, TEXT, signs};
+use crate::math::portable;
 use crate::view::axis::Axis;
 use crate::view::drawing::{Anchor, Drawing, Form, Frame, Spot, Stroke};
 use crate::view::fonts::Face;
@@ -152,13 +153,13 @@ fn ticks([low, high]: [f64; 2], by_logarithm: bool, count: f64) -> Vec<f64> {
     if !by_logarithm {
         return Axis { values: [low, high], points: [0.0, 1.0] }.ticks(count);
     }
-    let ends = [low, high].map(|end| end.max(f64::MIN_POSITIVE).log10());
+    let ends = [low, high].map(|end| portable::log10(end.max(f64::MIN_POSITIVE)));
     let decades = ends[1] - ends[0];
-    let within = |value: &f64| (ends[0] - 1e-9..=ends[1] + 1e-9).contains(&value.log10());
+    let within = |value: &f64| (ends[0] - 1e-9..=ends[1] + 1e-9).contains(&portable::log10(*value));
     let steps: &[f64] = if decades <= 0.5 * count { &[1.0, 2.0, 5.0] } else { &[1.0] };
     #[expect(clippy::cast_possible_truncation, reason = "logarithms of f64 are a few hundred")]
     let powers = ends[0].floor() as i32..=ends[1].ceil() as i32;
-    powers.flat_map(|power| steps.iter().map(move |step| step * 10_f64.powi(power))).filter(within).collect()
+    powers.flat_map(|power| steps.iter().map(move |step| step * portable::powi(10.0, power))).filter(within).collect()
 }
 
 fn number(value: f64, by_logarithm: bool) -> String {

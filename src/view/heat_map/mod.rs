@@ -15,6 +15,7 @@ use super::fonts::Face;
 use super::labels::{Label, shortened};
 use super::palette::{Colour, Palette, Theme};
 use super::text::significant;
+use crate::math::portable;
 use colours::{Paint, SHADES};
 use std::collections::BTreeMap;
 
@@ -238,9 +239,10 @@ impl HeatScale {
         match self {
             Self::Linear(range) => between(value, *range),
             Self::Directions(_) => 0.0,
-            Self::Log(range) => {
-                between(value.max(f64::MIN_POSITIVE).log10(), range.map(|end| end.max(f64::MIN_POSITIVE).log10()))
-            }
+            Self::Log(range) => between(
+                portable::log10(value.max(f64::MIN_POSITIVE)),
+                range.map(|end| portable::log10(end.max(f64::MIN_POSITIVE))),
+            ),
             Self::Classes(names) | Self::Kinds(names) => between(value, [0.0, names.len().saturating_sub(1) as f64]),
         }
     }

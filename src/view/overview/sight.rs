@@ -2,6 +2,7 @@
 
 use super::OverviewOptions;
 use crate::csg::Extent;
+use crate::math::portable;
 use crate::scene::Scene;
 use crate::view::drawing::{Frame, Spot};
 use crate::view::side_view::view_up;
@@ -141,10 +142,10 @@ fn orbit_frame(scene: &Scene, yaw: f64, pitch: f64) -> [DVec3; 3] {
     let level = (camera.forward - axis * camera.forward.dot(axis)).try_normalize();
     let ahead = level.unwrap_or_else(|| axis.any_orthonormal_vector());
     let aside = ahead.cross(axis);
-    let (sin, cos) = if yaw.is_finite() { yaw.sin_cos() } else { (0.0, 1.0) };
+    let (sin, cos) = if yaw.is_finite() { portable::sin_cos(yaw) } else { (0.0, 1.0) };
     // From straight above or below, what is up in the drawing would be left open.
     let pitch = if pitch.is_finite() { pitch.clamp(-1.55, 1.55) } else { 0.0 };
-    let (rise, flat) = pitch.sin_cos();
+    let (rise, flat) = portable::sin_cos(pitch);
     let heading = ahead * cos - aside * sin;
     let forward = heading * flat - axis * rise;
     let right = forward.cross(axis).normalize();

@@ -2,6 +2,7 @@
 
 use super::Overview;
 use crate::csg::Extent;
+use crate::math::portable;
 use crate::record::{EventId, What};
 use crate::scene::{Area, LightKind};
 use crate::view::drawing::{Spot, Stroke, length};
@@ -155,7 +156,7 @@ impl Overview<'_> {
         let Some(at) = self.sight.place(point).filter(|at| self.frame.grown(-10.0).contains(*at)) else { return };
         let colour = self.sheet.palette.shadow;
         for i in 0..8 {
-            let (sin, cos) = (f64::from(i) * TAU / 8.0).sin_cos();
+            let (sin, cos) = portable::sin_cos(f64::from(i) * TAU / 8.0);
             let ends = [[at[0] + 6.0 * cos, at[1] + 6.0 * sin], [at[0] + 9.0 * cos, at[1] + 9.0 * sin]];
             self.flat_line(&ends, Stroke::solid(colour, 1.5), event);
         }
@@ -165,7 +166,7 @@ impl Overview<'_> {
     fn shape_of(&mut self, area: &Area, event: Option<EventId>) {
         let circle = |centre: DVec3, radii: [DVec3; 2]| -> Vec<DVec3> {
             let at = |i: u32| f64::from(i % 48) * TAU / 48.0;
-            (0..=48).map(|i| centre + radii[0] * at(i).cos() + radii[1] * at(i).sin()).collect()
+            (0..=48).map(|i| centre + radii[0] * portable::cos(at(i)) + radii[1] * portable::sin(at(i))).collect()
         };
         let points = match *area {
             Area::Disc { centre, radii } => circle(centre, radii),

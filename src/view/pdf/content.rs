@@ -4,6 +4,7 @@
 //! turned back.
 
 use super::embedded::FontSet;
+use crate::math::portable;
 use crate::view::drawing::{Anchor, Drawing, Form, Frame, HALO, Spot, Stroke, Text};
 use crate::view::fonts::placed;
 use crate::view::outline::Pen;
@@ -188,8 +189,8 @@ impl Page<'_> {
     fn arc(&mut self, centre: Spot, radius: f64, [from, to]: [f64; 2]) {
         let pieces = ((to - from).abs() / FRAC_PI_4).ceil().clamp(1.0, 64.0);
         let step = (to - from) / pieces;
-        let reach = radius * 4.0 / 3.0 * (step / 4.0).tan();
-        let at = |angle: f64| [centre[0] + radius * angle.cos(), centre[1] + radius * angle.sin()];
+        let reach = radius * 4.0 / 3.0 * portable::tan(step / 4.0);
+        let at = |angle: f64| [centre[0] + radius * portable::cos(angle), centre[1] + radius * portable::sin(angle)];
         let [x, y] = at(from).map(narrow);
         self.content.move_to(x, y);
         let mut angle = from;
@@ -197,8 +198,8 @@ impl Page<'_> {
         while drawn < pieces {
             let (a, b) = (angle, angle + step);
             let (p, q) = (at(a), at(b));
-            let c = [p[0] - reach * a.sin(), p[1] + reach * a.cos()].map(narrow);
-            let d = [q[0] + reach * b.sin(), q[1] - reach * b.cos()].map(narrow);
+            let c = [p[0] - reach * portable::sin(a), p[1] + reach * portable::cos(a)].map(narrow);
+            let d = [q[0] + reach * portable::sin(b), q[1] - reach * portable::cos(b)].map(narrow);
             let [x, y] = q.map(narrow);
             self.content.cubic_to(c[0], c[1], d[0], d[1], x, y);
             angle = b;

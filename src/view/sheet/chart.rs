@@ -1,6 +1,7 @@
 //! Two axes, and the projection of directions in space.
 
 use super::{SMALL, Sheet};
+use crate::math::portable;
 use crate::record::Triple;
 use crate::view::axis::Axis;
 use crate::view::fonts::text_width;
@@ -131,8 +132,8 @@ impl Oblique {
     const ABOVE: f64 = 0.46;
 
     pub fn at(&self, [x, y, z]: Triple) -> Spot {
-        let (sin, cos) = Self::AROUND.sin_cos();
-        let (rise, level) = Self::ABOVE.sin_cos();
+        let (sin, cos) = portable::sin_cos(Self::AROUND);
+        let (rise, level) = portable::sin_cos(Self::ABOVE);
         let away = y * cos - x * sin;
         [self.centre[0] + self.scale * (x * cos + y * sin), self.centre[1] - self.scale * (z * level + away * rise)]
     }

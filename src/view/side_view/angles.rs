@@ -5,6 +5,7 @@ use super::super::flights::End;
 use super::super::labels::Label;
 use super::super::text::brief;
 use super::{SMALL, SideView, TEXT, Waiting};
+use crate::math::portable;
 use crate::record::{Event, What};
 use glam::DVec3;
 
@@ -47,7 +48,7 @@ impl SideView<'_> {
     /// A line at the critical angle, on the side that the ray comes from.
     fn critical(&mut self, event: &Event, at: Spot, normal: DVec3, direction: DVec3, critical: f64) {
         let Some(along) = (-direction - normal * -direction.dot(normal)).try_normalize() else { return };
-        let (sin, cos) = critical.to_radians().sin_cos();
+        let (sin, cos) = portable::sin_cos(critical.to_radians());
         let way = self.towards(normal * cos + along * sin);
         let end = [at[0] + way[0] * CRITICAL, at[1] + way[1] * CRITICAL];
         let stroke = Stroke::dashed(self.palette.bad, 1.2, [3.0, 3.0]);
@@ -60,13 +61,13 @@ impl SideView<'_> {
     fn arc(&mut self, event: &Event, at: Spot, radius: f64, directions: [DVec3; 2], text: Option<&str>) {
         let [from, to] = directions.map(|direction| {
             let [x, y] = self.towards(direction);
-            y.atan2(x)
+            portable::atan2(y, x)
         });
         let turn = (to - from + 3.0 * std::f64::consts::PI).rem_euclid(std::f64::consts::TAU) - std::f64::consts::PI;
         let stroke = Stroke::solid(self.palette.normal, 1.6);
         let angles = [from, from + turn];
         self.drawing.put(Form::Arc { centre: at, radius, angles, stroke }, event.id);
-        let (sin, cos) = (from + turn / 2.0).sin_cos();
+        let (sin, cos) = portable::sin_cos(from + turn / 2.0);
         let middle = [at[0] + radius * cos, at[1] + radius * sin];
         if let Some(text) = text {
             let label = Label::new(text, TEXT, self.palette.normal).of(event.id);
@@ -78,7 +79,7 @@ impl SideView<'_> {
     /// A direction of the world as a unit vector of the drawing.
     fn towards(&self, direction: DVec3) -> Spot {
         let [x, y] = self.plane.shift(direction);
-        let length = x.hypot(y).max(f64::MIN_POSITIVE);
+        let length = portable::hypot(x, y).max(f64::MIN_POSITIVE);
         [x / length, y / length]
     }
 }

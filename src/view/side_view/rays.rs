@@ -5,6 +5,7 @@ use super::super::flights::{End, Flight};
 use super::super::labels::{Label, clip};
 use super::super::text::brief;
 use super::{SMALL, SideView, TEXT};
+use crate::math::portable;
 use crate::record::{EventId, RayKind, Sign, Span, What};
 use glam::DVec3;
 
@@ -179,7 +180,7 @@ impl SideView<'_> {
     fn lamp(&mut self, at: Spot, opacity: f64, event: Option<EventId>) {
         let stroke = Stroke::solid(self.palette.shadow.faded(opacity), 1.5);
         for i in 0..8 {
-            let (sin, cos) = (f64::from(i) * std::f64::consts::FRAC_PI_4).sin_cos();
+            let (sin, cos) = portable::sin_cos(f64::from(i) * std::f64::consts::FRAC_PI_4);
             let points = vec![[at[0] + 6.0 * cos, at[1] + 6.0 * sin], [at[0] + 9.0 * cos, at[1] + 9.0 * sin]];
             self.drawing.put(Form::Line { points, stroke }, event);
         }

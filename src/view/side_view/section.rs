@@ -9,6 +9,7 @@ use super::super::drawing::{Frame, Spot};
 use super::fit::corners;
 use super::plane::PlaneView;
 use crate::csg::{Boundary, Solid};
+use crate::math::portable;
 use crate::record::NullRecorder;
 use crate::shape::Part;
 
@@ -265,10 +266,10 @@ fn thinned(points: &[Spot]) -> Vec<Spot> {
 
 fn distance_from_line(at: Spot, from: Spot, to: Spot) -> f64 {
     let along = [to[0] - from[0], to[1] - from[1]];
-    let length = along[0].hypot(along[1]);
+    let length = portable::hypot(along[0], along[1]);
     let offset = [at[0] - from[0], at[1] - from[1]];
     if length == 0.0 {
-        offset[0].hypot(offset[1])
+        portable::hypot(offset[0], offset[1])
     } else {
         (offset[0] * along[1] - offset[1] * along[0]).abs() / length
     }

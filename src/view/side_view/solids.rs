@@ -6,6 +6,7 @@ use super::super::palette::Colour;
 use super::section::section;
 use super::{SMALL, SideView, TEXT};
 use crate::csg::{Leaf, Solid};
+use crate::math::portable;
 use crate::record::{Event, EventId, What};
 use crate::scene::{Material, Object};
 use crate::shape::{Primitive, Shape};
@@ -136,7 +137,7 @@ impl SideView<'_> {
         let (middle, across) = (centre - self.plane.normal * height, self.plane.normal.any_orthonormal_vector());
         let upwards = self.plane.normal.cross(across);
         let at = |k: u32| {
-            let (sin, cos) = (TAU * f64::from(k) / f64::from(SIDES)).sin_cos();
+            let (sin, cos) = portable::sin_cos(TAU * f64::from(k) / f64::from(SIDES));
             self.plane.spot(middle + (across * cos + upwards * sin) * square.sqrt())
         };
         (0..SIDES).map(at).collect()
@@ -162,7 +163,7 @@ impl SideView<'_> {
         // The section is convex, so that a weighted mean of its corners lies within.
         let mean = |a: Spot, b: Spot| std::array::from_fn(|i| f64::midpoint(a[i], b[i]));
         let middle: Spot = found.iter().copied().reduce(mean).unwrap_or_default();
-        let angle = |spot: &Spot| (spot[1] - middle[1]).atan2(spot[0] - middle[0]);
+        let angle = |spot: &Spot| portable::atan2(spot[1] - middle[1], spot[0] - middle[0]);
         found.sort_by(|a, b| angle(a).total_cmp(&angle(b)));
         found
     }

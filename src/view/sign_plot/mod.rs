@@ -11,6 +11,7 @@ use super::fonts::Face;
 use super::labels::{Label, Placer, shortened};
 use super::palette::{Colour, Palette, Theme};
 use super::text::brief;
+use crate::math::portable;
 use crate::record::{EventId, Sign, SignSpan, What};
 use crate::scene::Scene;
 use crate::trace::RayTree;
@@ -137,7 +138,7 @@ impl Compression {
     }
 
     fn apply(self, d: f64) -> f64 {
-        self.unit.map_or(d, |unit| (d / unit).asinh())
+        self.unit.map_or(d, |unit| portable::asinh(d / unit))
     }
 
     fn axis(self, samples: &[Spot], points: [f64; 2]) -> Axis {
@@ -153,7 +154,7 @@ impl Compression {
         let Some(unit) = self.unit else {
             return axis.ticks(((axis.points[0] - axis.points[1]) / 34.0).max(2.0));
         };
-        let decades = (0..16).map(|power| unit * 10_f64.powi(power));
+        let decades = (0..16).map(|power| unit * portable::powi(10.0, power));
         let both = decades.flat_map(|d| [d, -d]).filter(|&d| axis.shows(self.apply(d)));
         std::iter::once(0.0).chain(both).collect()
     }

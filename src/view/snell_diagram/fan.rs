@@ -1,6 +1,7 @@
 //! The rays at the interface: the normal upright, the incoming ray from the left.
 
 use super::{Interface, percent};
+use crate::math::portable;
 use crate::record::EventId;
 use crate::view::drawing::{Anchor, Form, Frame, Spot, Stroke};
 use crate::view::fonts::Face;
@@ -42,7 +43,7 @@ struct Fan {
 impl Fan {
     /// The place at a distance from the foot and an angle in degrees from the upward normal, clockwise.
     fn at(&self, distance: f64, angle: f64) -> Spot {
-        let (sin, cos) = angle.to_radians().sin_cos();
+        let (sin, cos) = portable::sin_cos(angle.to_radians());
         [self.centre[0] + distance * sin, self.centre[1] - distance * cos]
     }
 
@@ -131,7 +132,7 @@ impl Fan {
             let radius = share * self.radius;
             let stroke = Stroke::solid(colour, 1.6);
             sheet.drawing.put(Form::Arc { centre: self.centre, radius, angles, stroke }, sheet.event);
-            let (sin, cos) = f64::midpoint(angles[0], angles[1]).sin_cos();
+            let (sin, cos) = portable::sin_cos(f64::midpoint(angles[0], angles[1]));
             let middle = [self.centre[0] + radius * cos, self.centre[1] + radius * sin];
             if let Some(text) = text {
                 sheet.write_near(&text, middle, 6.0, colour);

@@ -1,6 +1,7 @@
 //! Fresnel's reflectance at every angle of incidence, with this ray's.
 
 use super::Interface;
+use crate::math::portable;
 use crate::optics::refract;
 use crate::view::drawing::{Frame, Spot, Stroke};
 use crate::view::sheet::{Chart, Sheet, is_roomy, within_axes};
@@ -63,7 +64,7 @@ fn critical_line(sheet: &mut Sheet, chart: &Chart, interface: &Interface) {
 
 /// R, R_s and R_p at an angle of incidence in degrees.
 pub(super) fn shares(interface: &Interface, angle: f64) -> [f64; 3] {
-    let (sin, cos) = angle.to_radians().sin_cos();
+    let (sin, cos) = portable::sin_cos(angle.to_radians());
     let [n1, n2] = interface.indices;
     let optics = refract(DVec3::new(sin, 0.0, -cos), DVec3::Z, n1, n2);
     let [r_s, r_p] = optics.fresnel();

@@ -10,6 +10,7 @@ use super::events_of::Story;
 use super::palette::Theme;
 use super::sheet::{Sheet, is_roomy};
 use super::text::{brief, degrees};
+use crate::math::portable;
 use crate::record::{EventId, RayKind, What};
 use crate::trace::RayTree;
 
@@ -147,6 +148,6 @@ impl Interface {
     /// tan θ = n₂ / n₁: there R_p is 0.
     fn brewster(&self) -> f64 {
         let [n1, n2] = self.indices;
-        n2.atan2(n1).to_degrees()
+        portable::atan2(n2, n1).to_degrees()
     }
 }

@@ -1,5 +1,6 @@
 //! Numbers, intervals and tables as text.
 
+use crate::math::portable;
 use crate::record::{Accuracy, Certificate, Edge, Span, Triple, format_number};
 
 /// A number with four significant digits, for rows and labels where room is short.
@@ -15,7 +16,7 @@ pub fn significant(x: f64, digits: i32) -> String {
         return format_number(x);
     }
     #[expect(clippy::cast_possible_truncation, reason = "a finite number's decimal exponent lies between −324 and 308")]
-    let exponent = x.abs().log10().floor() as i32;
+    let exponent = portable::log10(x.abs()).floor() as i32;
     let shift = digits - 1 - exponent;
     // Beyond these the power of ten itself would overflow; the number is written with an exponent anyway.
     if !(-290..=290).contains(&shift) {
@@ -23,9 +24,9 @@ pub fn significant(x: f64, digits: i32) -> String {
     }
     // Powers of ten up to 10²² are exact; dividing by one keeps 0.1 the nearest double to 0.1.
     let rounded = if shift >= 0 {
-        (x * 10_f64.powi(shift)).round() / 10_f64.powi(shift)
+        (x * portable::powi(10.0, shift)).round() / portable::powi(10.0, shift)
     } else {
-        (x / 10_f64.powi(-shift)).round() * 10_f64.powi(-shift)
+        (x / portable::powi(10.0, -shift)).round() * portable::powi(10.0, -shift)
     };
     format_number(rounded)
 }

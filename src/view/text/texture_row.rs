@@ -1,6 +1,7 @@
 //! Labels and key numbers of what a surface carries.
 
 use super::format::{brief, brief_vector, count, degrees, percent};
+use crate::math::portable;
 use crate::record::{Bump, Detail, Environment, FrameMap, Lattice, Mapping, Octaves, Rings, Texels, Triple};
 
 /// A word as scene files spell it, for reading.
@@ -77,7 +78,7 @@ pub(in crate::view) fn solid_angle(steradians: f64) -> String {
 /// The angle between two unit vectors in degrees, exact for small ones too.
 pub(in crate::view) fn angle_between(a: Triple, b: Triple) -> f64 {
     let [a, b] = [a, b].map(glam::DVec3::from_array);
-    a.cross(b).length().atan2(a.dot(b)).to_degrees()
+    portable::atan2(a.cross(b).length(), a.dot(b)).to_degrees()
 }
 
 #[cfg(test)]

@@ -2,6 +2,7 @@
 
 use super::{WireLine, bounds_something};
 use crate::csg::{Leaf, Node, Solid};
+use crate::math::portable;
 use crate::record::Operator;
 use crate::shape::Primitive;
 use glam::DVec3;
@@ -44,7 +45,7 @@ impl<'a> Membership<'a> {
 
     /// The length of a generic unit in the world.
     pub fn scale(&self, leaf: usize) -> f64 {
-        self.solid.leaves[leaf].placement.world_from_generic().matrix3.determinant().abs().cbrt().max(1e-12)
+        portable::cbrt(self.solid.leaves[leaf].placement.world_from_generic().matrix3.determinant().abs()).max(1e-12)
     }
 
     /// Whether the solid holds the point, were these leaves to hold it or not.

@@ -4,6 +4,7 @@ use super::{
     ASPECT, Case, FIELD_OF_VIEW, Guess, PICTURE_MIRRORED, PICTURE_UPSIDE_DOWN, PIXEL_CORNER, PIXEL_SHIFTED,
     VIEW_BACKWARDS, number,
 };
+use crate::math::portable;
 use crate::record::What;
 use glam::DVec3;
 
@@ -50,16 +51,21 @@ fn of_frame(case: Case, [x, y]: [f64; 2], guesses: &mut Vec<Guess>) {
     let [across, up] = [2.0 * x / width - 1.0, 1.0 - 2.0 * y / height];
     let h = camera.half_height;
     let plane = |a: f64, b: f64| camera.forward + camera.right * a + camera.up * b;
-    let whole = (2.0 * h.atan()).tan();
-    let degrees = h.atan().to_degrees();
+    let whole = portable::tan(2.0 * portable::atan(h));
+    let degrees = portable::atan(h).to_degrees();
     let ratio = width / height;
     for (cause, how, a, b) in [
         (&ASPECT, "a = (2 x / W − 1) h, without W / H: dir", across * h, up * h),
         (&ASPECT, "a = (2 x / W − 1) h H / W: dir", across * h / ratio, up * h),
         (&FIELD_OF_VIEW, "the angle taken horizontally, b = (1 − 2 y / H) h H / W: dir", across * h, up * h / ratio),
         (&FIELD_OF_VIEW, "h = tan of the whole angle: dir", across * whole * ratio, up * whole),
-        (&FIELD_OF_VIEW, "h = tan of a number of degrees: dir", across * degrees.tan() * ratio, up * degrees.tan()),
-        (&FIELD_OF_VIEW, "h = the half angle itself: dir", across * h.atan() * ratio, up * h.atan()),
+        (
+            &FIELD_OF_VIEW,
+            "h = tan of a number of degrees: dir",
+            across * portable::tan(degrees) * ratio,
+            up * portable::tan(degrees),
+        ),
+        (&FIELD_OF_VIEW, "h = the half angle itself: dir", across * portable::atan(h) * ratio, up * portable::atan(h)),
         (&FIELD_OF_VIEW, "h twice as large: dir", across * 2.0 * h * ratio, up * 2.0 * h),
         (&FIELD_OF_VIEW, "h half as large: dir", across * 0.5 * h * ratio, up * 0.5 * h),
     ] {

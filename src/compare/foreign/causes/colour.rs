@@ -7,6 +7,7 @@ use super::{
 };
 use crate::compare::Said;
 use crate::compare::foreign::check::Term;
+use crate::math::portable;
 use crate::record::{RayKind, What};
 use crate::trace::srgb;
 use glam::DVec3;
@@ -92,11 +93,12 @@ fn brought_back(case: Case, kind: RayKind) -> DVec3 {
 
 fn of_encoding(ours: DVec3, guesses: &mut Vec<Guess>) {
     let encoded = srgb_of(ours);
+    let root = |degree: f64| ours.max(DVec3::ZERO).map(|x| portable::powf(x, 1.0 / degree));
     guesses.push(Guess::vector(&CLAMPED, "min(1, I)", ours.clamp(DVec3::ZERO, DVec3::ONE)));
     guesses.push(Guess::vector(&GAMMA, "sRGB of I", encoded));
     guesses.push(Guess::vector(&GAMMA, "sRGB of I, rounded to bytes", (encoded * 255.0).round() / 255.0));
-    guesses.push(Guess::vector(&GAMMA, "I^(1/2.2)", ours.max(DVec3::ZERO).powf(1.0 / 2.2)));
-    guesses.push(Guess::vector(&GAMMA, "√I", ours.max(DVec3::ZERO).powf(0.5)));
+    guesses.push(Guess::vector(&GAMMA, "I^(1/2.2)", root(2.2)));
+    guesses.push(Guess::vector(&GAMMA, "√I", root(2.0)));
     guesses.push(Guess::vector(&BYTES, "255 I", ours * 255.0));
     guesses.push(Guess::vector(&BYTES, "255 I, rounded", (ours * 255.0).round()));
     guesses.push(Guess::vector(&BYTES, "sRGB of I in bytes", (encoded * 255.0).round()));
@@ -106,7 +108,7 @@ fn of_encoding(ours: DVec3, guesses: &mut Vec<Guess>) {
 fn srgb_of(linear: DVec3) -> DVec3 {
     let one = |x: f64| {
         let x = x.clamp(0.0, 1.0);
-        if x <= 0.003_130_8 { 12.92 * x } else { 1.055 * x.powf(1.0 / 2.4) - 0.055 }
+        if x <= 0.003_130_8 { 12.92 * x } else { 1.055 * portable::powf(x, 1.0 / 2.4) - 0.055 }
     };
     DVec3::from_array(linear.to_array().map(one))
 }
@@ -191,7 +193,7 @@ pub fn of_written(case: Case, guesses: &mut Vec<Guess>) {
     let clamped = colour.clamp(DVec3::ZERO, DVec3::ONE);
     let bytes = |x: DVec3| (x * 255.0).round().to_array().to_vec();
     guesses.push(Guess::new(&GAMMA_MISSING, "255 I", bytes(clamped)));
-    guesses.push(Guess::new(&GAMMA, "255 I^(1/2.2)", bytes(clamped.powf(1.0 / 2.2))));
+    guesses.push(Guess::new(&GAMMA, "255 I^(1/2.2)", bytes(clamped.map(|x| portable::powf(x, 1.0 / 2.2)))));
     let twice = DVec3::from_array(srgb(srgb_of(clamped)).map(f64::from));
     guesses.push(Guess::new(&GAMMA, "sRGB of sRGB", twice.to_array()));
 }

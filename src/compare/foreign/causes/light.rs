@@ -7,6 +7,7 @@ use super::{
     LIGHT_BACKWARDS, LIGHT_COLOUR_IGNORED, LIGHT_NOT_NORMALISED, SELF_HIT, SHADOW_IGNORED, number, vector,
 };
 use crate::compare::foreign::check::Subject;
+use crate::math::portable;
 use crate::optics::reflect;
 use crate::record::{EventId, What};
 use crate::scene::LightKind;
@@ -157,7 +158,7 @@ pub fn of_specular(case: Case, light: EventId, guesses: &mut Vec<Guess>) {
 pub(super) fn wrong_specular(case: Case, lit: &Lit) -> Vec<(&'static Cause, String, DVec3)> {
     let Lit { l, n, v, exponent, .. } = *lit;
     let r = reflect(-l, n);
-    let shiny = |light: DVec3, cosine: f64| light * lit.k_s * cosine.max(0.0).powf(exponent);
+    let shiny = |light: DVec3, cosine: f64| light * lit.k_s * portable::powf(cosine.max(0.0), exponent);
     let halfway = (l + v).normalize_or_zero();
     let mut wrong = vec![
         (&SHADOW_IGNORED, format!("I k_s (r·v)^f with r·v = {}", number(r.dot(v))), shiny(lit.colour, r.dot(v))),
@@ -194,9 +195,9 @@ pub(super) fn wrong_specular(case: Case, lit: &Lit) -> Vec<(&'static Cause, Stri
 /// direction of the light.
 fn of_strength(lit: &Lit, r: DVec3, wrong: &mut Vec<(&'static Cause, String, DVec3)>) {
     let Lit { v, exponent, .. } = *lit;
-    let shiny = |light: DVec3, cosine: f64| light * lit.k_s * cosine.max(0.0).powf(exponent);
+    let shiny = |light: DVec3, cosine: f64| light * lit.k_s * portable::powf(cosine.max(0.0), exponent);
     for factor in [0.25, 0.5, 2.0, 4.0] {
-        let value = lit.arriving * lit.k_s * r.dot(v).max(0.0).powf(exponent * factor);
+        let value = lit.arriving * lit.k_s * portable::powf(r.dot(v).max(0.0), exponent * factor);
         wrong.push((
             &EXPONENT,
             format!("I k_s (r·v)^{} in place of {}", number(exponent * factor), number(exponent)),
@@ -221,12 +222,12 @@ fn of_exponent(case: Case, lit: &Lit, guesses: &mut Vec<Guess>) {
         if base <= 0.0 || base >= 1.0 || full.x <= 0.0 || theirs.x <= 0.0 {
             continue;
         }
-        let exponent = (theirs.x / full.x).ln() / base.ln();
+        let exponent = portable::ln(theirs.x / full.x) / portable::ln(base);
         // Any one number is some power of another; a power that somebody would write is a whole number or a quarter.
         let is_plain = ((4.0 * exponent).round() - 4.0 * exponent).abs() < 1e-3;
         if is_plain && exponent >= 0.0 {
             let how = format!("I k_s ({name})^f with f = {} in place of {}", number(exponent), number(lit.exponent));
-            guesses.push(Guess::vector(cause, how, full * base.powf(exponent)));
+            guesses.push(Guess::vector(cause, how, full * portable::powf(base, exponent)));
         }
     }
 }

@@ -1,6 +1,7 @@
 //! Flat pieces of an environment's image, their texels, and what these cover of the sphere.
 
 use super::sphere::solid_angle;
+use crate::math::portable;
 use crate::texture::image::wrap::cell;
 use glam::DVec2;
 use std::f64::consts::{PI, TAU};
@@ -48,7 +49,7 @@ impl Chart {
         let share = index as f64 / f64::from(self.count(axis));
         match (self, axis) {
             (Self::Globe { .. }, 0) => share,
-            (Self::Globe { .. }, _) => -(share * PI).cos(),
+            (Self::Globe { .. }, _) => -portable::cos(share * PI),
             (Self::Face { .. }, _) => 2.0 * share - 1.0,
         }
     }
@@ -57,7 +58,7 @@ impl Chart {
     pub fn texels(&self, axis: usize, place: f64) -> f64 {
         let share = match (self, axis) {
             (Self::Globe { .. }, 0) => place,
-            (Self::Globe { .. }, _) => (-place).clamp(-1.0, 1.0).acos() / PI,
+            (Self::Globe { .. }, _) => portable::acos((-place).clamp(-1.0, 1.0)) / PI,
             (Self::Face { .. }, _) => f64::midpoint(place, 1.0),
         };
         share * f64::from(self.count(axis))

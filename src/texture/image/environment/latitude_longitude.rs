@@ -6,6 +6,7 @@
 
 use super::chart::Region;
 use super::sphere::solid_angle;
+use crate::math::portable;
 use glam::{DVec2, DVec3};
 use std::f64::consts::TAU;
 
@@ -19,7 +20,7 @@ const MOST_HALVINGS: u32 = 14;
 /// φ of a direction in radians, above −π and up to π.
 pub(super) fn longitude(direction: DVec3) -> f64 {
     // −0 + 0 is 0: both zeros of y lie on the same side of the seam.
-    (direction.y + 0.0).atan2(direction.x)
+    portable::atan2(direction.y + 0.0, direction.x)
 }
 
 /// A unit direction on the chart.

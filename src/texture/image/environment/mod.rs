@@ -17,6 +17,7 @@ mod sphere;
 use super::sum::Sum;
 use super::texels::Texels;
 use super::wrap::{Wrap, Wraps};
+use crate::math::portable;
 use crate::record::{self, Entry, Recorder, What};
 use chart::{Chart, Region};
 use cross::Face;
@@ -86,7 +87,8 @@ impl Environment {
                 (Some(faces), faces.iter().map(|face| face.chart(count)).collect())
             }
         };
-        let turn = DVec2::from_angle(turn_degrees.to_radians());
+        let (sine, cosine) = portable::sin_cos(turn_degrees.to_radians());
+        let turn = DVec2::new(cosine, sine);
         Ok(Self { texels, faces, charts, turn, smaller: OnceLock::new() })
     }
 

@@ -1,5 +1,6 @@
 //! Triangles on the sphere of directions.
 
+use crate::math::portable;
 use glam::DVec3;
 
 /// The signed solid angle of the triangle between three directions of any lengths: positive where they turn to the left about
@@ -10,7 +11,7 @@ pub(super) fn solid_angle([a, b, c]: [DVec3; 3]) -> f64 {
     // By differences, so that small triangles keep their digits.
     let volume = (b - a).cross(c - a).dot(a);
     let [x, y, z] = [a.length(), b.length(), c.length()];
-    2.0 * volume.atan2(x * y * z + a.dot(b) * z + b.dot(c) * x + c.dot(a) * y)
+    2.0 * portable::atan2(volume, x * y * z + a.dot(b) * z + b.dot(c) * x + c.dot(a) * y)
 }
 
 #[cfg(test)]

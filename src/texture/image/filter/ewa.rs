@@ -12,6 +12,7 @@
 //! Source: P. S. Heckbert, Fundamentals of Texture Mapping and Image Warping, Master's thesis, Berkeley 1989, § 3.5.
 
 use super::Ground;
+use crate::math::{exp, portable};
 use crate::record::Recorder;
 use crate::texture::image::footprint::Footprint;
 use crate::texture::image::sum::Sum;
@@ -57,7 +58,7 @@ impl Covariance {
 
     /// The larger of its two eigenvalues.
     fn largest(self) -> f64 {
-        f64::midpoint(self.xx + self.yy, f64::hypot(self.xx - self.yy, 2.0 * self.xy))
+        f64::midpoint(self.xx + self.yy, portable::hypot(self.xx - self.yy, 2.0 * self.xy))
     }
 
     fn determinant(self) -> f64 {
@@ -100,7 +101,7 @@ pub(super) fn colour<R: Recorder>(
 fn add_ellipse(sum: &mut Sum, centre: DVec2, covariance: Covariance) {
     let Covariance { xy, yy, .. } = covariance;
     let determinant = covariance.determinant();
-    let at_the_edge = (-REACH * REACH / 2.0).exp();
+    let at_the_edge = exp(-REACH * REACH / 2.0);
     let tall = REACH * yy.sqrt();
     for row in cell(centre.y - tall - 0.5) + 1..=cell(centre.y + tall - 0.5) {
         let dy = row as f64 + 0.5 - centre.y;
@@ -111,7 +112,7 @@ fn add_ellipse(sum: &mut Sum, centre: DVec2, covariance: Covariance) {
         let wide = (variance * (REACH * REACH - spent).max(0.0)).sqrt();
         for column in cell(middle - wide - 0.5) + 1..=cell(middle + wide - 0.5) {
             let dx = column as f64 + 0.5 - middle;
-            let weight = (-(spent + dx * dx / variance) / 2.0).exp() - at_the_edge;
+            let weight = exp(-(spent + dx * dx / variance) / 2.0) - at_the_edge;
             sum.add([column, row], weight.max(0.0));
         }
     }

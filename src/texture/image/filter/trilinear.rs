@@ -3,6 +3,7 @@
 //! Source: L. Williams, Pyramidal Parametrics, SIGGRAPH 1983.
 
 use super::{Ground, bilinear};
+use crate::math::portable;
 use crate::record::{Entry, Recorder, Texels, What};
 use crate::texture::image::footprint::Footprint;
 use glam::{DVec2, DVec3};
@@ -11,7 +12,7 @@ use glam::{DVec2, DVec3};
 /// which itself lists no texels.
 pub(super) fn colour(ground: Ground, point: DVec2, footprint: &Footprint, recorder: &mut impl Recorder) -> DVec3 {
     let side = footprint.longest_side();
-    let level = side.max(1.0).log2().min((ground.texels.levels() - 1) as f64);
+    let level = portable::log2(side.max(1.0)).min((ground.texels.levels() - 1) as f64);
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 0 and the number of levels")]
     let fine = level as usize;
     let share = level - level.floor();
