@@ -67,7 +67,7 @@ function stopped(error) {
 function shown(canvas, embedding) {
   const loading = document.getElementById("loading");
   loading.classList.add("leaving");
-  const leave = () => loading.remove();
+  const leave = () => { loading.hidden = true; };
   loading.addEventListener("transitionend", leave, { once: true });
   // Where nothing moves there is no end of a transition.
   setTimeout(leave, 300);
