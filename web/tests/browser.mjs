@@ -84,11 +84,12 @@ async function watched(context, server) {
     context,
     requests,
     errors,
-    /** Opens a page of the server and waits until the workbench shows a picture. */
+    /** Opens a page of the server, waits until the workbench shows a picture, and puts away the tour of the first visit. */
     async opens(path = "") {
       const page = await context.newPage();
       await page.goto(server.address + path);
       await ready(page);
+      await page.keyboard.press("Escape");
       return page;
     },
     async keptToItself({ expectsErrors = false }) {
@@ -122,6 +123,16 @@ export async function until(frame, is) {
   }
 }
 
+/** The rows of the story, as the mirror tells them. */
+export function rowsOf(frame) {
+  return frame.locator("#rows li").allTextContents();
+}
+
+/** Waits until a row of the story says something. */
+export async function untilRow(frame, text) {
+  await frame.locator("#rows li", { hasText: text }).first().waitFor({ state: "attached" });
+}
+
 /** Sends a command as an embedding page or the mirror does. */
 export function send(frame, command) {
   return frame.evaluate((json) => globalThis.rayscopeHost.receive(json), JSON.stringify(command));
@@ -132,4 +143,17 @@ export async function placeOf(frame, [x, y]) {
   const { picture, size } = await state(frame);
   const [left, top, width, height] = picture;
   return { x: left + ((x + 0.5) / size[0]) * width, y: top + ((y + 0.5) / size[1]) * height };
+}
+
+/** Writes a text over the scene file: chooses its panel by name, clicks into it, and types over everything. */
+export async function edit(page, text) {
+  await page.keyboard.press("Control+k");
+  await page.keyboard.type("Scene file");
+  await page.keyboard.press("Enter");
+  await until(page, ({ views }) => views.includes("pane-editor"));
+  // The panel is in the middle of the window.
+  await page.mouse.click(640, 500);
+  await page.waitForFunction(() => document.activeElement.tagName === "INPUT");
+  await page.keyboard.press("Control+a");
+  await page.keyboard.insertText(text);
 }

@@ -13,8 +13,11 @@ const COMMANDS = {
   select: { event: isCount },
   next: {},
   back: {},
+  into: {},
+  out: {},
   pixel: { x: isCount, y: isCount },
   open: { link: (value) => isText(value) && value.startsWith("rayscope:") },
+  lesson: { lesson: isText, step: (value) => value === undefined || isCount(value) },
   answer: { question: isCount, answer: isAnswer },
 };
 

@@ -2,7 +2,8 @@
 
 /**
  * Starts the mirror; `send` takes commands for the program. What is returned takes what the program tells:
- * `{"title", "rows": [{"event", "level", "text", "selected"}], "event": {"title", "lines"}}`.
+ * `{"title", "before", "of", "rows": [{"event", "level", "text", "selected"}], "event": {"title", "explanation", "lines"}}`; of long
+ * stories the rows around the selected one, with how many there are before them and of how many.
  */
 export function startMirror(send) {
   const title = document.getElementById("story-title");
@@ -13,7 +14,7 @@ export function startMirror(send) {
   return (json) => {
     const told = JSON.parse(json);
     put(title, told.title ?? "");
-    putRows(list, told.rows ?? []);
+    putRows(list, told);
     putDetail(detail, told.event);
   };
 }
@@ -28,17 +29,19 @@ function set(element, name, value) {
 }
 
 /** Elements of rows that stay are kept where they are, and with them the reader's place. */
-function putRows(list, rows) {
+function putRows(list, { rows = [], before = 0, of = rows.length }) {
   const hadFocus = list.contains(document.activeElement);
   const kept = new Map([...list.children].map((item) => [item.dataset.event, item]));
   const wanted = new Set(rows.map((row) => String(row.event)));
   for (const [event, item] of kept) if (!wanted.has(event)) item.remove();
   let next = list.firstElementChild;
-  for (const row of rows) {
+  for (const [i, row] of rows.entries()) {
     const item = kept.get(String(row.event)) ?? made(row.event);
     if (item === next) next = next.nextElementSibling;
     else list.insertBefore(item, next);
     putRow(item, row);
+    set(item, "aria-posinset", String(before + i + 1));
+    set(item, "aria-setsize", String(of));
   }
   const selected = list.querySelector('[aria-selected="true"]') ?? list.firstElementChild;
   for (const item of list.children) item.tabIndex = item === selected ? 0 : -1;
@@ -60,7 +63,7 @@ function putRow(item, row) {
 }
 
 function putDetail(detail, event) {
-  const texts = event ? [event.title, ...event.lines] : [];
+  const texts = event ? [event.title, event.explanation, ...event.lines].filter(Boolean) : [];
   const before = [...detail.children].map((element) => element.textContent);
   if (before.length === texts.length && before.every((text, i) => text === texts[i])) return;
   detail.replaceChildren(...texts.map((text, i) => {

@@ -1,7 +1,7 @@
 // The first picture: when it comes, and what travels until then.
 
 import assert from "node:assert/strict";
-import { ready, state, story } from "../browser.mjs";
+import { ready, rowsOf, state, story } from "../browser.mjs";
 
 const MOST_BYTES = 3.5 * 1024 * 1024;
 
@@ -52,9 +52,11 @@ story("a server that packs nothing sends the packed program, and not the other a
 
 story("the workbench speaks for itself: scene, pixel, event and rows", {}, async ({ visitor }) => {
   const page = await (await visitor()).opens();
-  const { scene, pixel, event, events, rows } = await state(page);
+  const { scene, pixel, event, events } = await state(page);
   assert.equal(scene, "csg/bowl");
   assert.equal(pixel.length, 2);
   assert.ok(event < events);
+  const rows = await rowsOf(page);
+  assert.match(rows[0], /^Pixel/);
   assert.ok(rows.length >= 4, `${rows.length} rows`);
 });

@@ -28,6 +28,8 @@ story("a file that the reader chooses is given to the program with its name", {}
 
 story("a worker gets the compiled program and says that it can answer", {}, async ({ server, visitor }) => {
   const page = await (await visitor()).opens();
+  // What is kept for later is asked for at the same time; it is not what this is about.
+  await page.waitForFunction(() => navigator.serviceWorker.ready.then(() => Boolean(navigator.serviceWorker.controller)));
   const before = server.asked.filter(({ path }) => path.includes(".wasm")).length;
   const said = await page.evaluate(() => new Promise((resolve, reject) => {
     const { worker, module, glue } = globalThis.rayscopeHost;
