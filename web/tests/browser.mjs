@@ -90,6 +90,7 @@ async function watched(context, server) {
       await page.goto(server.address + path);
       await ready(page);
       await page.keyboard.press("Escape");
+      await painted(page);
       return page;
     },
     async keptToItself({ expectsErrors = false }) {
@@ -145,15 +146,36 @@ export async function placeOf(frame, [x, y]) {
   return { x: left + ((x + 0.5) / size[0]) * width, y: top + ((y + 0.5) / size[1]) * height };
 }
 
+/** Waits until what a key did is shown: no person presses the next key for what is not there yet. */
+function painted(page) {
+  return page.evaluate(() => new Promise((shown) => requestAnimationFrame(() => requestAnimationFrame(shown))));
+}
+
+/** Waits until what is typed goes into a field: then the element that takes text has the keyboard. */
+function typing(page) {
+  return page.waitForFunction(() => document.activeElement.tagName === "INPUT");
+}
+
+/** A scene of one ball, which no scene of the program calls so. */
+export const LONE = JSON.stringify({
+  camera: { eye: [0, -5, 0], look_at: [0, 0, 0], up: [0, 0, 1] },
+  lights: [{ name: "sun", directional: [1, -1, 1], colour: [1, 1, 1] }],
+  materials: { clay: { diffuse: [0.6, 0.3, 0.2] } },
+  objects: [{ shape: "sphere", name: "lone", material: "clay" }],
+});
+
 /** Writes a text over the scene file: chooses its panel by name, clicks into it, and types over everything. */
 export async function edit(page, text) {
   await page.keyboard.press("Control+k");
-  await page.keyboard.type("Scene file");
+  await typing(page);
+  await page.keyboard.type("Scene file", { delay: 30 });
+  await painted(page);
   await page.keyboard.press("Enter");
   await until(page, ({ views }) => views.includes("pane-editor"));
+  await painted(page);
   // The panel is in the middle of the window.
   await page.mouse.click(640, 500);
-  await page.waitForFunction(() => document.activeElement.tagName === "INPUT");
+  await typing(page);
   await page.keyboard.press("Control+a");
   await page.keyboard.insertText(text);
 }

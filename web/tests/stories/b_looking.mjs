@@ -1,7 +1,7 @@
 // Looking at a ray: a click, steps, an edit, a lesson.
 
 import assert from "node:assert/strict";
-import { edit, placeOf, send, story, until, untilRow } from "../browser.mjs";
+import { LONE, edit, placeOf, send, story, until, untilRow } from "../browser.mjs";
 
 story("a click on a pixel tells the story of that pixel", {}, async ({ visitor }) => {
   const page = await (await visitor()).opens();
@@ -36,8 +36,7 @@ story("keys step through the story, on and back", {}, async ({ visitor }) => {
 
 story("what is typed into the scene file shows in the picture and the story", {}, async ({ visitor }) => {
   const page = await (await visitor()).opens();
-  const scene = { title: "Only a ball", camera: { eye: [0, -5, 0], target: [0, 0, 0] }, objects: [{ name: "lone", shape: "sphere" }] };
-  await edit(page, JSON.stringify(scene));
+  await edit(page, LONE);
   await untilRow(page, "lone");
   await until(page, ({ edited, problem }) => edited && problem === null);
 });

@@ -1,7 +1,7 @@
 // Links, the ways back, and what is kept.
 
 import assert from "node:assert/strict";
-import { edit, rowsOf, send, story, until, untilRow } from "../browser.mjs";
+import { LONE, edit, rowsOf, send, story, until, untilRow } from "../browser.mjs";
 
 const chosen = { do: "select", event: 10 };
 
@@ -19,7 +19,7 @@ story("the address is a link: in a fresh profile it opens the same scene, pixel 
 
 story("an edited scene travels in the link", {}, async ({ visitor }) => {
   const page = await (await visitor()).opens();
-  await edit(page, '{ "objects": [{ "name": "lone", "shape": "sphere" }] }');
+  await edit(page, LONE);
   await untilRow(page, "lone");
   await page.waitForURL(/text=/);
   const again = await (await visitor()).opens(new URL(page.url()).hash);
