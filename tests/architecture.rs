@@ -160,6 +160,7 @@ const CRATES: &[(&[&str], &[&str])] = &[
         &[
             "src/record/",
             "src/scene/",
+            "src/trace/digest.rs",
             "src/trace/export.rs",
             "src/accuracy/oracle.rs",
             "src/peer/",
@@ -172,6 +173,9 @@ const CRATES: &[(&[&str], &[&str])] = &[
             "src/app/edit/",
             "src/app/kept.rs",
             "src/app/pane.rs",
+            "src/app/frame/task.rs",
+            "src/app/picture/renderer.rs",
+            "src/app/system/",
         ],
     ),
     (&["jsonc_parser"], &["src/scene/"]),

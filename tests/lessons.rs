@@ -221,3 +221,21 @@ fn the_schema_of_blocks_is_the_one_beside_the_lessons() {
         "lessons/lesson.schema.json is out of date: `rayscope schema lesson > lessons/lesson.schema.json` writes it anew"
     );
 }
+
+/// What a lesson says, its answers and what is said of wrong ones among it: a change of the tracer that changes what students read
+/// is seen here, and read before it is accepted.
+#[test]
+fn every_lesson_reads_as_it_was_read_last() {
+    let mut settings = insta::Settings::clone_current();
+    settings.set_snapshot_path("../snapshots");
+    settings.set_prepend_module_to_snapshot(false);
+    settings.set_omit_expression(true);
+    for lesson in &Lessons::embedded().course.lessons {
+        let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_rayscope"));
+        let output = command.args(["lesson", "show", &lesson.id, "--answers"]).output().unwrap();
+        assert!(output.status.success(), "{}: {}", lesson.id, String::from_utf8_lossy(&output.stderr));
+        settings.set_snapshot_suffix(&lesson.id);
+        let text = String::from_utf8(output.stdout).unwrap();
+        settings.bind(|| insta::assert_snapshot!("lesson", text));
+    }
+}

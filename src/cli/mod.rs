@@ -6,6 +6,7 @@ mod bench;
 mod book;
 mod compare;
 mod compare_json;
+mod digest;
 mod drawn;
 mod effects;
 mod export;
@@ -88,6 +89,7 @@ enum Command {
     Scenes(scenes::Scenes),
     Schema(schema::Schema),
     Stability(stability::Stability),
+    Digest(digest::Digest),
     Bench(bench::Bench),
 }
 
@@ -116,6 +118,7 @@ pub fn run() -> ExitCode {
         Some(Command::Scenes(scenes)) => scenes.run(),
         Some(Command::Schema(schema)) => schema.run(),
         Some(Command::Stability(stability)) => stability.run(),
+        Some(Command::Digest(digest)) => digest.run(),
         Some(Command::Bench(bench)) => bench.run(),
     };
     outcome.map_or_else(failure::Failure::report, |()| ExitCode::SUCCESS)

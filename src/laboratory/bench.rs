@@ -4,7 +4,7 @@ use super::stopwatch::{Taken, pinned_work, resolution};
 use super::subject::Subject;
 use super::timing::Repeat;
 use super::{Stopwatch, Timing};
-use crate::trace::Progress;
+use crate::trace::{OneThread, Progress};
 use std::time::Duration;
 
 /// One reading of the clock covers at least so many of its steps, if need be by several pictures: then it is read to half a percent.
@@ -15,7 +15,7 @@ const MOST_PICTURES: f64 = 1000.0;
 
 /// The thread that is measured, its clock, and what was spent.
 pub(super) struct Bench<'a> {
-    pool: rayon::ThreadPool,
+    thread: OneThread,
     pub stopwatch: &'a mut dyn Stopwatch,
     pub progress: &'a Progress,
     /// The smallest time that the clock can tell, in seconds.
@@ -31,15 +31,15 @@ pub(super) struct Bench<'a> {
 impl<'a> Bench<'a> {
     /// None if no thread can be started.
     pub fn new(stopwatch: &'a mut dyn Stopwatch, progress: &'a Progress) -> Option<Self> {
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().ok()?;
-        let resolution = pool.install(|| resolution(stopwatch));
-        Some(Self { pool, stopwatch, progress, resolution, spent: 0.0, timed: [0.0; 2], pinned: Vec::new() })
+        let thread = OneThread::new()?;
+        let resolution = thread.install(|| resolution(stopwatch));
+        Some(Self { thread, stopwatch, progress, resolution, spent: 0.0, timed: [0.0; 2], pinned: Vec::new() })
     }
 
     /// Time on the measured thread.
     pub fn time(&mut self, work: &mut (dyn FnMut() -> u64 + Send)) -> Taken {
         let stopwatch = &mut *self.stopwatch;
-        let taken = self.pool.install(|| stopwatch.time(work));
+        let taken = self.thread.install(|| stopwatch.time(work));
         self.spent += taken.wall.as_secs_f64();
         taken
     }

@@ -3,7 +3,7 @@
 use super::price::{Price, quantile};
 use crate::record::Effect;
 use crate::scene::{Image, Reason, Scene, reasons};
-use crate::trace::{Picture, Progress, render};
+use crate::trace::{OneThread, Picture, Progress, render};
 use std::time::Duration;
 
 /// How large the pictures are that are measured, and how often.
@@ -51,8 +51,7 @@ pub type Clock = fn(&mut dyn FnMut()) -> Duration;
 /// Measures a scene; none if it was cancelled. `progress` counts pixels, of which there are [`Size::pixels`] in all.
 #[must_use]
 pub fn measure(scene: &Scene, size: Size, clock: Clock, progress: &Progress) -> Option<Ledger> {
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().ok()?;
-    pool.install(|| Measuring { clock, progress }.ledger(&size.of(scene), size.pairs))
+    OneThread::new()?.install(|| Measuring { clock, progress }.ledger(&size.of(scene), size.pairs))
 }
 
 struct Measuring<'a> {

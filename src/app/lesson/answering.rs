@@ -2,12 +2,13 @@
 
 use super::marks::within;
 use super::open::OpenLesson;
-use super::question::{Asked, Draft, QuestionWish};
+use super::question::{Asked, Draft, QuestionWish, offered_lists};
 use crate::app::frame::words::{say, say_with};
 use crate::app::pane::Pane;
 use crate::app::workbench::Workbench;
 use crate::document::Cause;
 use crate::lesson::model::Surface;
+use crate::lesson::Answer;
 use crate::lesson::question::{Form, Spot};
 use crate::record::What;
 use egui::{Context, Pos2};
@@ -72,6 +73,45 @@ impl Workbench {
                 self.change_question(place, |asked| asked.problem = Some(problem));
             }
         }
+    }
+
+    /// Answers a question of the step by a number: of what is asked for, or of a choice or interval list, counted from 0. What makes
+    /// no sense as an answer is passed over.
+    pub fn answer_by_number(&mut self, question: usize, value: f64) {
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a place among a few choices")]
+        let place = value as usize;
+        let answer = self.asked(question).and_then(|asked| match &asked.posed.form {
+            Form::Number(_) | Form::Time(_) => Some(Answer::Number(value)),
+            Form::Choice(choices) => (place < choices.len()).then_some(Answer::Choice(place)),
+            Form::Intervals(reckoned) => {
+                offered_lists(reckoned).get(place).map(|list| Answer::Intervals((*list).clone()))
+            }
+            _ => None,
+        });
+        self.answer_with(question, answer);
+    }
+
+    /// Answers a question of the step by an order: the numbers of its items, counted from 0.
+    pub fn answer_by_order(&mut self, question: usize, order: Vec<usize>) {
+        let fits = |asked: &Asked| {
+            matches!(&asked.posed.form, Form::Order { right, .. } if {
+                let (mut given, mut items) = (order.clone(), right.clone());
+                given.sort_unstable();
+                items.sort_unstable();
+                given == items
+            })
+        };
+        let answer = self.asked(question).filter(|asked| fits(asked)).map(|_| Answer::Order(order.clone()));
+        self.answer_with(question, answer);
+    }
+
+    fn answer_with(&mut self, question: usize, answer: Option<Answer>) {
+        let Some(answer) = answer else { return };
+        self.change_question(question, |asked| {
+            let verdict = asked.posed.judge(&answer);
+            asked.fill_in(&answer);
+            asked.take(verdict, Some(answer));
+        });
     }
 
     /// Shows a hint more.

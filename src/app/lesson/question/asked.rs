@@ -93,6 +93,11 @@ impl Asked {
         })
     }
 
+    /// Shows an answer as if it had been given by hand.
+    pub fn fill_in(&mut self, answer: &Answer) {
+        self.draft = draft_of(&self.posed.form, Some(answer));
+    }
+
     /// Notes what came of an answer.
     pub fn take(&mut self, verdict: Verdict, answer: Option<Answer>) {
         let record = &mut self.record;

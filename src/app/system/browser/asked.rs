@@ -1,5 +1,8 @@
 //! What the page asks of the workbench: for the mirror, for the page around an embedded one, and for tests.
 
+use super::digest::Digests;
+use crate::app::frame::background::Background;
+use crate::app::frame::task;
 use crate::app::workbench::Workbench;
 use crate::record::EventId;
 use crate::share::link::Link;
@@ -24,16 +27,35 @@ enum Asked {
     Pixel { x: u32, y: u32 },
     /// Follows a link.
     Open { link: String },
+    /// Answers a question of the lesson's step.
+    Answer { question: usize, answer: Given },
+    /// Works out the digests of the scene that is open, in a worker.
+    Digests { width: u32 },
     /// Opens a lesson, at a step counted from 0.
     Lesson { lesson: String, step: Option<usize> },
 }
 
-/// Does what is asked. What makes no sense is told in the page's console, where whoever wrote it looks.
-pub fn carry_out(workbench: &mut Workbench, text: &str) {
+/// An answer.
+#[derive(Deserialize)]
+#[serde(untagged)]
+enum Given {
+    /// A number, or the place of a choice, counted from 0.
+    Number(f64),
+    /// An order of items, counted from 0.
+    Order(Vec<usize>),
+}
+
+/// Does what is asked; returns digests that are being worked out. What makes no sense is told in the page's console, where whoever wrote it looks.
+pub fn carry_out(workbench: &mut Workbench, text: &str) -> Option<Background<Vec<String>>> {
     match serde_json::from_str(text) {
+        Ok(Asked::Digests { width }) => {
+            let open = workbench.scene()?;
+            return task::begin(&workbench.ctx(), &open.whole, Digests { width });
+        }
         Ok(asked) => asked_of(workbench, asked),
         Err(error) => log::warn!("rayscope was asked for something that it does not know: {error}: {text}"),
     }
+    None
 }
 
 fn asked_of(workbench: &mut Workbench, asked: Asked) {
@@ -45,6 +67,9 @@ fn asked_of(workbench: &mut Workbench, asked: Asked) {
                 workbench.select(event);
             }
         }
+        Asked::Digests { .. } => {}
+        Asked::Answer { question, answer: Given::Number(value) } => workbench.answer_by_number(question, value),
+        Asked::Answer { question, answer: Given::Order(order) } => workbench.answer_by_order(question, order),
         Asked::Next => step(workbench, Step::Next),
         Asked::Back => step(workbench, Step::Back),
         Asked::Into => step(workbench, Step::Into),

@@ -3,6 +3,7 @@
 mod account;
 mod address;
 mod asked;
+mod digest;
 mod files;
 mod host;
 mod journals;

@@ -4,12 +4,14 @@ use super::account::Account;
 use super::address::Address;
 use super::asked::carry_out;
 use super::{Journals, host, worker};
+use crate::app::frame::background::Background;
 use crate::app::help::Help;
 use crate::app::window::{Start, Window};
 use crate::folder::Outside;
 use crate::scene::embedded_scene;
 use eframe::{CreationContext, Frame, Storage, WebOptions, WebRunner};
 use egui::{Context, Ui};
+use serde_json::json;
 use std::cell::RefCell;
 use std::rc::Rc;
 use std::time::Duration;
@@ -61,6 +63,8 @@ struct Page {
     account: Account,
     /// What the page has asked for since the last frame.
     asked: Rc<RefCell<Vec<String>>>,
+    /// Digests that are being worked out.
+    digests: Option<Background<Vec<String>>>,
 }
 
 impl Page {
@@ -77,7 +81,7 @@ impl Page {
         if !window.workbench.is_embedded {
             window.workbench.keep_edits(Journals::in_browser());
         }
-        Self { window, address, account: Account::offered(), asked: listen(&creation.egui_ctx) }
+        Self { window, address, account: Account::offered(), asked: listen(&creation.egui_ctx), digests: None }
     }
 }
 
@@ -97,13 +101,17 @@ impl eframe::App for Page {
     fn ui(&mut self, ui: &mut Ui, frame: &mut Frame) {
         let workbench = &mut self.window.workbench;
         for text in self.asked.take() {
-            carry_out(workbench, &text);
+            self.digests = carry_out(workbench, &text).or(self.digests.take());
         }
         self.address.lead(workbench);
         self.window.ui(ui, frame);
         let workbench = &mut self.window.workbench;
         self.address.follow(ui.ctx(), workbench);
         self.account.give(ui.ctx(), workbench);
+        if let Some(lines) = self.digests.as_ref().and_then(Background::take) {
+            self.digests = None;
+            host::tell(&json!({ "type": "digests", "lines": lines }).to_string());
+        }
     }
 
     /// A frame in somebody's page keeps nothing: the reader's own workbench stays as it was left.

@@ -1,5 +1,6 @@
 //! In a worker: tasks are done one by one as they come, and their news posted back.
 
+use super::digest::Digests;
 use crate::app::frame::task::Task;
 use crate::app::picture::renderer::Render;
 use crate::folder::{Outside, files_of_scene};
@@ -47,6 +48,7 @@ fn carry_out(message: &JsValue) -> Result<(), String> {
     let name = part("task").as_string().unwrap_or_default();
     match name.as_str() {
         Render::NAME => run::<Render>(&scene, &body),
+        Digests::NAME => run::<Digests>(&scene, &body),
         other => Err(format!("no worker knows the task {other}")),
     }
 }
