@@ -175,8 +175,8 @@ fn trace_prints_the_six_steps_of_a_pixel() {
     assert_eq!(text, printed(&["trace", &folder.path("ball.json")]), "the telling pixel is the one that is traced");
 }
 
-fn committed_schema(name: &str) -> Value {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes").join(name);
+fn committed_schema(file: &str) -> Value {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(file);
     let text = fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
     serde_json::from_str(&text).unwrap()
 }
@@ -187,7 +187,7 @@ fn a_traced_pixel_is_valid_by_the_committed_schema_and_ends_in_the_pictures_colo
     let (scene, png) = (folder.path("ball.json"), folder.path("ball.png"));
     let trace: Value =
         serde_json::from_str(&printed(&["trace", &scene, "--pixel", "20,15", "--format", "json"])).unwrap();
-    let validator = jsonschema::validator_for(&committed_schema("trace.schema.json")).unwrap();
+    let validator = jsonschema::validator_for(&committed_schema("docs/trace.schema.json")).unwrap();
     let problems: Vec<_> = validator.iter_errors(&trace).map(|error| error.to_string()).collect();
     assert_eq!(problems, Vec::<String>::new());
     assert_eq!(
@@ -201,7 +201,7 @@ fn a_traced_pixel_is_valid_by_the_committed_schema_and_ends_in_the_pictures_colo
 
 #[test]
 fn every_embedded_scene_traces_to_valid_json() {
-    let validator = jsonschema::validator_for(&committed_schema("trace.schema.json")).unwrap();
+    let validator = jsonschema::validator_for(&committed_schema("docs/trace.schema.json")).unwrap();
     let scenes: Value = serde_json::from_str(&printed(&["scenes", "--format", "json"])).unwrap();
     for scene in scenes.as_array().unwrap() {
         let name = scene["name"].as_str().unwrap();
@@ -217,14 +217,14 @@ fn every_embedded_scene_traces_to_valid_json() {
 #[test]
 fn the_committed_schemas_are_those_that_the_program_prints() {
     for (file, arguments) in [
-        ("scene.schema.json", vec!["schema", "scene"]),
-        ("trace.schema.json", vec!["schema", "trace"]),
-        ("profile.schema.json", vec!["schema", "profile"]),
+        ("scenes/scene.schema.json", vec!["schema", "scene"]),
+        ("docs/trace.schema.json", vec!["schema", "trace"]),
+        ("scenes/profile.schema.json", vec!["schema", "profile"]),
     ] {
         let printed: Value = serde_json::from_str(&printed(&arguments)).unwrap();
         assert!(
             printed == committed_schema(file),
-            "scenes/{file}: write it anew with `rayscope {}`",
+            "{file}: write it anew with `rayscope {}`",
             arguments.join(" ")
         );
     }

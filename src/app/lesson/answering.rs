@@ -2,14 +2,14 @@
 
 use super::marks::within;
 use super::open::OpenLesson;
-use super::question::{Asked, Draft, QuestionWish, offered_lists};
+use super::question::{Asked, Draft, QuestionWish};
 use crate::app::frame::words::{say, say_with};
 use crate::app::pane::Pane;
 use crate::app::workbench::Workbench;
 use crate::document::Cause;
-use crate::lesson::model::Surface;
 use crate::lesson::Answer;
-use crate::lesson::question::{Form, Spot};
+use crate::lesson::model::Surface;
+use crate::lesson::question::{Form, Spot, offered_lists};
 use crate::record::What;
 use egui::{Context, Pos2};
 use glam::DVec3;

@@ -9,24 +9,27 @@ use ratex_layout::FallbackGlyphMetrics;
 use std::sync::OnceLock;
 
 macro_rules! fonts {
-    ($($name:literal),+ $(,)?) => {
-        [$(($name, include_bytes!(concat!("../../../assets/fonts/katex/KaTeX_", $name, ".ttf")).as_slice())),+]
+    ($($(#[$when:meta])? $name:literal),+ $(,)?) => {
+        [$($(#[$when])? ($name, include_bytes!(concat!("../../../assets/fonts/katex/KaTeX_", $name, ".ttf")).as_slice())),+]
     };
 }
 
-static FONTS: [(&str, &[u8]); 12] = fonts![
+static FONTS: &[(&str, &[u8])] = &fonts![
     "Main-Regular",
     "Main-Bold",
     "Main-Italic",
     "Math-Italic",
     "Math-BoldItalic",
     "AMS-Regular",
-    "Caligraphic-Regular",
-    "Typewriter-Regular",
     "Size1-Regular",
     "Size2-Regular",
     "Size3-Regular",
     "Size4-Regular",
+    // Browsers show the course alone, which has no formula in these.
+    #[cfg(not(target_arch = "wasm32"))]
+    "Caligraphic-Regular",
+    #[cfg(not(target_arch = "wasm32"))]
+    "Typewriter-Regular",
 ];
 
 fn parsed() -> &'static [FontRef<'static>] {
