@@ -222,11 +222,7 @@ fn the_committed_schemas_are_those_that_the_program_prints() {
         ("scenes/profile.schema.json", vec!["schema", "profile"]),
     ] {
         let printed: Value = serde_json::from_str(&printed(&arguments)).unwrap();
-        assert!(
-            printed == committed_schema(file),
-            "{file}: write it anew with `rayscope {}`",
-            arguments.join(" ")
-        );
+        assert!(printed == committed_schema(file), "{file}: write it anew with `rayscope {}`", arguments.join(" "));
     }
 }
 

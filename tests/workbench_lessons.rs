@@ -9,7 +9,7 @@ mod walker;
 
 use egui::accesskit::Role;
 use egui::{Event, Key, Modifiers, Vec2};
-use egui_kittest::kittest::Queryable;
+use egui_kittest::kittest::{NodeT, Queryable};
 use hands::*;
 use rayscope::app::{Command, EditCommand, LessonCommand, Pane, Preset, ViewCommand};
 use rayscope::lesson::Scenes;
@@ -175,6 +175,7 @@ fn hints_come_one_by_one_and_the_answer_is_shown_on_request() {
     assert!(is_said(&bench, "Look at the interval lists"));
     command(&mut bench, LessonCommand::Reveal);
     assert!(is_said(&bench, "answer shown"));
+    assert!(is_said(&bench, "This is the answer.") && !is_said(&bench, "✓ Right."), "it was not found");
     assert!(is_said(&bench, "There the boundary of a part is none of the whole."));
     assert!(bench.query_by_role_and_label(Role::Button, "Next step").is_some(), "there is nothing left to skip");
 }
@@ -221,20 +222,169 @@ fn a_change_is_judged_as_soon_as_the_scene_follows_it() {
 }
 
 #[test]
-fn unsaved_changes_are_asked_about_before_a_step_opens_its_scene() {
+fn what_was_tried_out_in_the_scene_of_a_step_is_given_up_for_the_next_one_without_a_question() {
     let mut bench = open_bowl();
     let mine = editing::text(&bench).replacen("\"field_of_view\": 31", "\"field_of_view\": 36", 1);
     write_scene(&mut bench, &mine);
+    // Back to the ray of the same step it is asked: the change may be what the step is about.
+    press_button(&mut bench, "Back to this step’s ray");
+    press_button(&mut bench, "Cancel");
+    assert_eq!(editing::text(&bench), mine);
     press_button(&mut bench, "Next step");
+    ready(&mut bench);
+    assert!(bench.query_by_role_and_label(Role::Button, "Don’t save").is_none());
+    assert!(editing::text(&bench).contains("\"field_of_view\": 31"));
+    assert_eq!((step_of(&bench), pixel(&bench)), (1, [333, 150]));
+}
+
+#[test]
+fn unsaved_changes_of_an_own_scene_are_asked_about_before_a_lesson_opens_its_scene() {
+    let mut bench = open_at("hello/sphere", SIZE);
+    let mine = format!("{}\n", editing::text(&bench));
+    write_scene(&mut bench, &mine);
+    workbench_mut(&mut bench).use_lessons(Lessons::named(&bowl().display().to_string()).expect("it is a lesson"));
     ready(&mut bench);
     press_button(&mut bench, "Cancel");
     ready(&mut bench);
-    assert_eq!((step_of(&bench), editing::text(&bench)), (1, mine));
+    assert_eq!(editing::text(&bench), mine);
     press_button(&mut bench, "Back to this step’s ray");
     press_button(&mut bench, "Don’t save");
     ready(&mut bench);
     assert!(editing::text(&bench).contains("\"field_of_view\": 31"));
     assert_eq!(pixel(&bench), [333, 150]);
+}
+
+#[test]
+fn drawings_that_a_step_does_not_show_wait_for_its_answers() {
+    let mut bench = open_bowl();
+    let drawings = |bench: &Bench| bench.query_all_by_role(Role::Image).count();
+    let seen = [Pane::Picture, Pane::Side, Pane::Along];
+    assert!(seen.iter().all(|pane| !workbench(&bench).is_veiled(*pane)), "the first step shows them and asks nothing");
+    assert!(drawings(&bench) >= seen.len());
+    command(&mut bench, LessonCommand::Next);
+    assert!(workbench(&bench).dock().shows(Pane::Side), "the step before left it in front");
+    assert_eq!(drawings(&bench), 1, "the picture alone");
+    let lift = "The rest is told with the answers. Show it now";
+    let links: Vec<_> = bench.query_all_by_role_and_label(Role::Link, lift).collect();
+    assert!(links.len() > 1, "in the story, and in place of a drawing");
+    links[links.len() - 1].click_accesskit();
+    settle(&mut bench);
+    assert!(seen.iter().all(|pane| !workbench(&bench).is_veiled(*pane)) && drawings(&bench) > 1);
+    command(&mut bench, LessonCommand::Restage);
+    assert!(workbench(&bench).is_veiled(Pane::Side));
+    command(&mut bench, LessonCommand::Reveal);
+    assert!(!workbench(&bench).is_veiled(Pane::Side));
+}
+
+#[test]
+fn what_is_said_about_an_answer_comes_into_sight() {
+    let size = Vec2::new(1280.0, 460.0);
+    let mut bench = open_at("hello/sphere", size);
+    workbench_mut(&mut bench).use_lessons(Lessons::named(&bowl().display().to_string()).expect("it is a lesson"));
+    ready(&mut bench);
+    command(&mut bench, LessonCommand::Next);
+    bench.get_by_role_and_label(Role::RadioButton, "The point lies behind the eye.").click_accesskit();
+    settle(&mut bench);
+    for said in [(LessonCommand::Check, "✗ Not right."), (LessonCommand::Hint, "Look at the interval lists")] {
+        command(&mut bench, said.0);
+        // It is scrolled in a few frames.
+        for _ in 0..60 {
+            bench.step();
+        }
+        let rect = bench.query_all_by_label_contains(said.1).next().expect("it is said").rect();
+        let panel = workbench(&bench).dock().rect_of(Pane::Lesson).expect("it is seen");
+        assert!(panel.contains_rect(rect), "{}: {rect:?} in {panel:?}", said.1);
+    }
+}
+
+#[test]
+fn after_the_last_hint_its_button_stays_where_it_was() {
+    let mut bench = open_bowl();
+    command(&mut bench, LessonCommand::Next);
+    let place = |bench: &Bench| bench.get_by_role_and_label(Role::Button, "Show the answer, question 1").rect().left();
+    let before = place(&bench);
+    press_button(&mut bench, "Hint, question 1");
+    assert!(bench.get_by_role_and_label(Role::Button, "Hint, question 1").accesskit_node().is_disabled());
+    assert!((place(&bench) - before).abs() < 0.5);
+}
+
+#[test]
+fn values_within_choices_lead_nowhere() {
+    let (_folder, file) = copy_of_bowl();
+    let text = fs::read_to_string(&file).expect("it was just copied");
+    let text = text.replace("The point lies behind the eye.", "The time {{rejected.t}} lies behind the eye.");
+    fs::write(&file, text).expect("it can be written");
+    let mut bench = open_lessons(Lessons::named(&file.display().to_string()).expect("a lesson"));
+    command(&mut bench, LessonCommand::Next);
+    assert!(is_said(&bench, "lies behind the eye."));
+    let links = bench.query_all_by_role(Role::Link).filter_map(|link| link.accesskit_node().label());
+    assert_eq!(links.filter(|label| label.contains("rejected.t")).count(), 0);
+}
+
+#[test]
+fn the_recorded_pixel_can_be_taken_once_one_was_recorded() {
+    let (_folder, file) = copy_of_bowl();
+    let text = fs::read_to_string(&file).expect("it was just copied");
+    let at = text.find("kind = \"choice\"").expect("it asks for a choice");
+    let end = at + text[at..].find("```").expect("the question ends");
+    let question =
+        "kind = \"place\"\nask = \"Where is the point?\"\nanswer = \"hit.point\"\nin = \"image\"\ntolerance = \"20\"\n";
+    fs::write(&file, format!("{}{question}{}", &text[..at], &text[end..])).expect("it can be written");
+    let mut bench = open_lessons(Lessons::named(&file.display().to_string()).expect("a lesson"));
+    command(&mut bench, LessonCommand::Next);
+    let name = "Take the recorded pixel, question 1";
+    let is_disabled = |bench: &Bench| bench.get_by_role_and_label(Role::Button, name).accesskit_node().is_disabled();
+    assert!(is_disabled(&bench), "nobody has recorded one");
+    workbench_mut(&mut bench).record([10, 10]);
+    settle(&mut bench);
+    assert!(!is_disabled(&bench));
+    press_button(&mut bench, name);
+    assert!(is_said(&bench, "✗ Not right."));
+}
+
+#[test]
+fn after_a_lesson_the_next_one_is_offered() {
+    let (folder, file) = copy_of_bowl();
+    let other = folder.path().join("02_other");
+    fs::create_dir(&other).expect("the folder is new");
+    let text = fs::read_to_string(&file).expect("it was just copied");
+    let text = text.replace("A ray through the bowl", "The bowl once more");
+    fs::write(other.join("lesson.md"), text).expect("it can be written");
+    let mut bench = open_lessons(Lessons::named(&file.display().to_string()).expect("a lesson"));
+    go_to_the_end(&mut bench);
+    press_button(&mut bench, "Finish lesson");
+    ready(&mut bench);
+    assert!(is_said(&bench, "“A ray through the bowl” is done."));
+    press_button(&mut bench, "The bowl once more");
+    ready(&mut bench);
+    assert_eq!(workbench(&bench).lesson().place(), Some(("02_other", 0)));
+}
+
+#[test]
+fn a_step_brings_the_story_to_the_front_and_its_event_into_sight() {
+    let mut bench = open_at("hello/sphere", Vec2::new(1280.0, 560.0));
+    reveal(&mut bench, Pane::Story);
+    workbench_mut(&mut bench).use_lessons(Lessons::named(&bowl().display().to_string()).expect("it is a lesson"));
+    ready(&mut bench);
+    reveal(&mut bench, Pane::Editor);
+    command(&mut bench, LessonCommand::Next);
+    settle(&mut bench);
+    let panel = workbench(&bench).dock().rect_of(Pane::Story).expect("it is in front");
+    let row = bench.query_all_by_role(Role::TreeItem).find(|row| row.accesskit_node().is_selected() == Some(true));
+    let rect = row.expect("it is laid out").rect();
+    assert!(panel.contains_rect(rect), "{rect:?} in {panel:?}");
+}
+
+#[test]
+fn a_long_name_of_a_scene_pushes_no_menu_under_the_layouts() {
+    let mut bench = open_at("hello/sphere", SIZE);
+    ready(&mut bench);
+    workbench_mut(&mut bench).use_lessons(Lessons::embedded());
+    workbench_mut(&mut bench).open_lesson("05_every_case_of_the_tapered_cylinder");
+    ready(&mut bench);
+    assert!(workbench(&bench).scene().expect("open").name.len() > 50);
+    let rect = |name: &str| bench.get_by_role_and_label(Role::Button, name).rect();
+    assert!(rect("Help").right() <= rect("Learn").left(), "{:?} {:?}", rect("Help"), rect("Learn"));
 }
 
 #[test]

@@ -19,6 +19,7 @@ impl Workbench {
     /// Shows what is in a panel.
     pub(in crate::app) fn pane(&mut self, ui: &mut Ui, pane: Pane) {
         match pane {
+            pane if self.is_veiled(pane) => self.veil_pane(ui),
             Pane::Picture => self.picture_pane(ui),
             Pane::Side => self.side_pane(ui),
             Pane::Story => story_pane::ui(ui, self),
@@ -51,6 +52,9 @@ impl Workbench {
 
     /// The tools at the right end of a panel's header, from right to left.
     pub(in crate::app) fn pane_tools(&mut self, ui: &mut Ui, pane: Pane) {
+        if self.is_veiled(pane) {
+            return;
+        }
         match pane {
             Pane::Picture => self.move_switch(ui),
             Pane::Side => self.side.tools(ui),

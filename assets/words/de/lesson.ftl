@@ -50,6 +50,8 @@ lesson-needs = braucht { $lessons }
 lesson-stand-not = nicht begonnen
 lesson-stand-begun = begonnen
 lesson-stand-done = fertig
+lesson-ended = „{ $lesson }“ ist fertig.
+lesson-onward = Weiter mit:
 
 lesson-list = Kurs
 lesson-list-about = Die Lektion verlassen; sie öffnet sich wieder, wo du aufgehört hast.

@@ -50,6 +50,8 @@ lesson-needs = needs { $lessons }
 lesson-stand-not = not begun
 lesson-stand-begun = begun
 lesson-stand-done = done
+lesson-ended = “{ $lesson }” is done.
+lesson-onward = Next:
 
 lesson-list = Course
 lesson-list-about = Leave the lesson; it opens again where you left it.

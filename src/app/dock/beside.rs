@@ -37,6 +37,16 @@ impl Dock {
         }
     }
 
+    /// Brings a panel to the front where it lies, unless it would cover `kept`. One that is not in the layout stays away.
+    pub fn uncover(&mut self, pane: Pane, kept: Pane) {
+        if self.is_being_shown() {
+            self.waiting.push(Wish::Uncover(pane, kept));
+            return;
+        }
+        let Some(home) = self.home_of(pane).filter(|home| Some(*home) != self.home_of(kept)) else { return };
+        self.put(pane, home);
+    }
+
     /// The tabs that a panel is one of.
     fn home_of(&self, pane: Pane) -> Option<TileId> {
         self.tree().tiles.parent_of(self.tile_of(pane)?)
@@ -74,6 +84,19 @@ mod tests {
                 }
             }
         }
+    }
+
+    #[test]
+    fn a_panel_is_uncovered_where_it_lies_but_never_covers_the_lesson() {
+        let mut dock = Dock::default();
+        dock.choose(Preset::Lesson);
+        dock.reveal(Pane::Editor);
+        dock.uncover(Pane::Story, Pane::Lesson);
+        assert!(dock.shows(Pane::Story) && dock.shows(Pane::Lesson));
+        dock.choose(Preset::Learn);
+        dock.reveal(Pane::Lesson);
+        dock.uncover(Pane::Story, Pane::Lesson);
+        assert!(dock.shows(Pane::Lesson) && !dock.shows(Pane::Story), "both lie in the same tabs");
     }
 
     #[test]

@@ -63,6 +63,7 @@ pub struct Dock {
 #[derive(Clone, Debug)]
 enum Wish {
     Reveal(Pane),
+    Uncover(Pane, Pane),
     Beside(Vec<Pane>, Pane),
     ToggleAlone(Pane),
 }
@@ -223,6 +224,7 @@ impl Dock {
         for wish in std::mem::take(&mut self.waiting) {
             match wish {
                 Wish::Reveal(pane) => self.reveal(pane),
+                Wish::Uncover(pane, kept) => self.uncover(pane, kept),
                 Wish::Beside(panes, kept) => self.show_beside(&panes, kept),
                 Wish::ToggleAlone(pane) => self.toggle_alone(pane),
             }

@@ -25,6 +25,8 @@ pub struct Editing {
     pub document: Document,
     /// The scene's name, or its file's.
     pub name: String,
+    /// Whether it was opened by a lesson: then what is changed in it was only tried out.
+    pub is_staged: bool,
     /// What is read of the text.
     pub analysis: Analysis,
     /// What is wrong with the text, and the revision that it is about.
@@ -58,6 +60,7 @@ impl Editing {
     pub fn open(&mut self, name: &str, text: &str) {
         self.document = Document::new(text);
         name.clone_into(&mut self.name);
+        self.is_staged = false;
         self.analysis.reset();
         self.analysis.follow(&self.document);
         self.flaws.clear();

@@ -375,6 +375,7 @@ impl Workbench {
         match written.outcome {
             Ok(()) => {
                 self.editing.document.mark_saved_as(&written.text);
+                self.editing.is_staged = false;
                 self.editing.name.clone_from(&name);
                 if let Some(open) = &mut self.open {
                     open.name = name;

@@ -10,6 +10,10 @@ use egui::{RichText, ScrollArea, Ui};
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Choice(pub String);
 
+/// As long as the longest name of a scene that comes with the program. Longer names push the menus behind them under the layouts
+/// in a window of 1280 points; shorter ones would cut names that have room.
+const MOST_LETTERS: usize = 28;
+
 /// A line of the menu.
 struct Entry {
     name: String,
@@ -46,7 +50,8 @@ impl SceneMenu {
     /// Shows the menu's button and, when it is open, the list; returns what was chosen.
     pub fn ui(&self, ui: &mut Ui, current: &str) -> Option<Choice> {
         let mut chosen = None;
-        let title = say_with(ui.ctx(), "scene-menu", &[("scene", current.into())]);
+        let shown = shortened(current);
+        let title = say_with(ui.ctx(), "scene-menu", &[("scene", (&shown).into())]);
         let button = ui.menu_button(title, |ui| {
             ui.set_min_width((ui.ctx().content_rect().width() - 40.0).min(360.0));
             let height = menu::height(ui.ctx());
@@ -54,7 +59,8 @@ impl SceneMenu {
                 chosen = self.list(ui, current);
             });
         });
-        button.response.on_hover_text(say(ui.ctx(), "scene-menu-about"));
+        let about = say(ui.ctx(), "scene-menu-about");
+        button.response.on_hover_text(if shown == current { about } else { format!("{current}\n{about}") });
         chosen
     }
 
@@ -79,6 +85,16 @@ impl SceneMenu {
     }
 }
 
+/// The end of a name that would push other menus out of the bar: what tells it from others stands there.
+fn shortened(name: &str) -> String {
+    let letters = name.chars().count();
+    if letters <= MOST_LETTERS {
+        return name.to_owned();
+    }
+    let end: String = name.chars().skip(letters + 1 - MOST_LETTERS).collect();
+    format!("…{end}")
+}
+
 /// A folder's name as a heading: `csg` is an abbreviation, the others are words.
 fn heading(topic: &str) -> String {
     if topic == "csg" { "CSG".to_owned() } else { capitalised(&topic.replace('_', " ")) }
@@ -87,4 +103,20 @@ fn heading(topic: &str) -> String {
 fn capitalised(words: &str) -> String {
     let mut letters = words.chars();
     letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_scene_of_the_program_keeps_its_name_and_a_long_path_keeps_its_end() {
+        for scene in embedded_scenes() {
+            assert_eq!(shortened(&scene.name), scene.name);
+        }
+        let short = shortened("lessons/05_every_case_of_the_tapered_cylinder/bucket.json");
+        assert_eq!(short.chars().count(), MOST_LETTERS);
+        assert!(short.starts_with('…') && short.ends_with("/bucket.json"), "{short}");
+        assert_eq!(shortened(""), "");
+    }
 }

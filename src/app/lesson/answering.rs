@@ -70,7 +70,7 @@ impl Workbench {
             Ok(None) => {}
             Err(why) => {
                 let problem = say_with(ctx, "lesson-no-number", &[("why", (&why).into())]);
-                self.change_question(place, |asked| asked.problem = Some(problem));
+                self.change_question(place, |asked| asked.refuse(problem));
             }
         }
     }
@@ -221,14 +221,19 @@ impl Workbench {
             self.answer_click(question, surface, click);
         } else {
             let problem = say(&self.ctx(), "lesson-no-place");
-            self.change_question(question, |asked| asked.problem = Some(problem));
+            self.change_question(question, |asked| asked.refuse(problem));
         }
     }
 
     /// What is marked where questions ask for places: the last click, and the right place once it is known.
     pub(in crate::app) fn lesson_marks(&self, surface: Surface) -> Vec<Mark> {
         let mut marks = Vec::new();
-        let Some(open) = self.lesson.open.as_ref().filter(|_| self.seen_by_lesson().is_staged) else { return marks };
+        let is_seen = match surface {
+            // A place in the picture stays where it is, whatever pixel is recorded.
+            Surface::Image => self.recording.as_ref().is_some_and(|recording| self.is_of_the_step(recording)),
+            Surface::Side => self.seen_by_lesson().is_staged,
+        };
+        let Some(open) = self.lesson.open.as_ref().filter(|_| is_seen) else { return marks };
         for asked in &open.asked {
             let (Form::Place(of, reckoned), Draft::Place { at, .. }) = (&asked.posed.form, &asked.draft) else {
                 continue;

@@ -5,7 +5,9 @@ use crate::app::frame::empty::empty;
 use crate::app::frame::theme::{PADDING, Palette, bold};
 use crate::app::frame::words::{say, say_with};
 use crate::lesson::{Course, Lesson, Progress};
-use egui::{Frame, Label, Margin, Rect, RichText, Role, ScrollArea, Sense, Stroke, StrokeKind, Ui, WidgetInfo};
+use egui::{
+    Align, Frame, Label, Margin, Rect, Response, RichText, Role, ScrollArea, Sense, Stroke, StrokeKind, Ui, WidgetInfo,
+};
 
 /// Shows the list; returns the lesson that was chosen.
 pub fn ui(ui: &mut Ui, pane: &mut LessonPane) -> Option<Wish> {
@@ -18,8 +20,13 @@ pub fn ui(ui: &mut Ui, pane: &mut LessonPane) -> Option<Wish> {
         Frame::new().inner_margin(Margin::same(PADDING)).show(ui, |ui| {
             ui.set_width(ui.available_width());
             tools(ui, pane, &lessons.course);
+            let next = pane.next_lesson().map(str::to_owned).filter(|_| std::mem::take(&mut pane.is_moving_on));
             for lesson in &lessons.course.lessons {
-                if row(ui, &lessons.course, lesson, &pane.progress) {
+                let row = row(ui, &lessons.course, lesson, &pane.progress);
+                if Some(&lesson.id) == next.as_ref() {
+                    row.scroll_to_me(Some(Align::Center));
+                }
+                if row.clicked() {
                     wish = Some(Wish::Open(lesson.id.clone()));
                 }
             }
@@ -106,8 +113,8 @@ pub fn stand(progress: &Progress, lesson: &str) -> Stand {
     }
 }
 
-/// Shows a lesson; returns whether it was chosen.
-fn row(ui: &mut Ui, course: &Course, lesson: &Lesson, progress: &Progress) -> bool {
+/// Shows a lesson, which a click chooses.
+fn row(ui: &mut Ui, course: &Course, lesson: &Lesson, progress: &Progress) -> Response {
     let palette = Palette::current(ui.ctx());
     let stand = stand(progress, &lesson.id);
     let header = &lesson.header;
@@ -144,5 +151,5 @@ fn row(ui: &mut Ui, course: &Course, lesson: &Lesson, progress: &Progress) -> bo
     let sign = egui::pos2(rect.left() + 12.0, rect.top() + 14.0);
     let colour = if stand == Stand::Done { palette.accent } else { palette.weak };
     ui.painter().text(sign, egui::Align2::CENTER_CENTER, stand.sign(), egui::FontId::proportional(14.0), colour);
-    response.clicked()
+    response
 }

@@ -76,6 +76,7 @@ impl Workbench {
     /// Once a frame: takes in what was set up and judged.
     pub(in crate::app) fn follow_lesson(&mut self, ctx: &Context) {
         if self.lesson.follow(ctx) {
+            self.give_up_trials();
             self.set_stage(ctx);
         }
         self.follow_answers(ctx);
@@ -120,13 +121,21 @@ impl Workbench {
         let is_staged = staged.zip(recording).is_some_and(|(staged, seen)| Arc::ptr_eq(&staged.stage.tree, &seen.tree));
         let is_judging = self.lesson.open.as_ref().is_some_and(|open| open.judging.is_some());
         let is_compiling = self.editing.is_stale() && self.editing.flaws.is_empty();
+        // The pixel of the step's own ray was chosen by nobody.
+        let chosen = recording.filter(|recording| !is_staged && self.is_of_the_step(recording));
         Seen {
             probe_t: recording.filter(|_| is_staged).and_then(|recording| recording.probe_t),
-            pixel: recording.map(|recording| recording.pixel),
+            pixel: chosen.map(|recording| recording.pixel),
             event: recording.filter(|_| is_staged).map(Recording::selected),
             is_staged,
             is_busy: is_judging || is_compiling,
         }
+    }
+
+    /// Whether something was recorded in the scene of the step, as it stands.
+    pub(super) fn is_of_the_step(&self, recording: &Recording) -> bool {
+        let staged = self.lesson.open.as_ref().and_then(OpenLesson::staged);
+        staged.is_some_and(|staged| Arc::ptr_eq(&staged.stage.scene.scene, &recording.scene))
     }
 
     /// Sets the stage: the step's scene, its ray, its event, what is told, and the drawings. If there are unsaved changes, it is
@@ -138,6 +147,8 @@ impl Workbench {
         {
             let asks = lesson.open.as_ref().is_some_and(OpenLesson::asks_of_the_story);
             self.set_ray(staged, asks);
+            // The text tells of the story, whatever was looked at before.
+            self.dock.uncover(Pane::Story, Pane::Lesson);
             self.dock.show_beside(&staged.views, Pane::Lesson);
             if let Some(open) = &mut lesson.open {
                 open.judged = None;
@@ -146,6 +157,14 @@ impl Workbench {
         self.lesson = lesson;
         if let Some(link) = self.sharing.after_stage.take() {
             self.restore(ctx, &link);
+        }
+    }
+
+    /// What was tried out in the scene of one step is given up for the next one without a question: it belongs to nobody's file.
+    fn give_up_trials(&mut self) {
+        let goes_on = self.lesson.open.as_ref().is_some_and(|open| open.staged().is_some());
+        if goes_on && self.editing.is_staged && self.editing.file().is_none() {
+            self.editing.document.mark_saved();
         }
     }
 
@@ -169,6 +188,7 @@ impl Workbench {
             self.image.reset();
             self.side.fit();
             self.editing.open(&staged.scene_name, &compiled.text);
+            self.editing.is_staged = true;
         }
         self.effects.reset();
         self.accuracy.reset();

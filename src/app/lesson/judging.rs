@@ -30,7 +30,7 @@ impl Workbench {
     pub(super) fn begin_judging(&mut self, ctx: &Context, question: usize, is_asked_for: bool) {
         if !self.editing.flaws.is_empty() {
             let problem = say(ctx, "lesson-scene-flawed");
-            self.change_question(question, |asked| asked.problem = Some(problem));
+            self.change_question(question, |asked| asked.refuse(problem));
             return;
         }
         let text = self.editing.document.text().to_owned();
@@ -54,7 +54,7 @@ impl Workbench {
             Some(Ok(verdict)) => self.take_verdict(judging.question, verdict, judging.is_asked_for),
             Some(Err(why)) if judging.is_asked_for => {
                 let problem = say_with(ctx, "lesson-not-judged", &[("why", (&why).into())]);
-                self.change_question(judging.question, |asked| asked.problem = Some(problem));
+                self.change_question(judging.question, |asked| asked.refuse(problem));
             }
             _ => {}
         }
@@ -65,7 +65,7 @@ impl Workbench {
         if is_asked_for || verdict.is_right {
             self.change_question(question, |asked| asked.take(verdict, None));
         } else if verdict.misconception.is_some() {
-            self.change_question(question, |asked| asked.verdict = Some(verdict));
+            self.change_question(question, |asked| asked.say(verdict));
         }
     }
 }

@@ -6,6 +6,7 @@ mod course_map;
 mod glue;
 mod judging;
 pub mod marks;
+mod onward;
 mod open;
 pub mod pane;
 mod progress_file;
@@ -14,6 +15,7 @@ mod staged;
 mod step;
 mod text;
 mod told;
+mod veil;
 mod watch;
 
 pub use pane::LessonPane;

@@ -6,7 +6,7 @@ use super::question::{QuestionWish, Seen};
 use super::staged::School;
 use super::text::{Formulas, TextWish};
 use super::watch::{Changed, Watch};
-use super::{course_list, course_map, step};
+use super::{course_list, course_map, onward, step};
 use crate::app::frame::background::Background;
 use crate::app::frame::file_dialog::FileDialog;
 use crate::app::frame::words::{say, say_with};
@@ -31,6 +31,10 @@ pub struct LessonPane {
     pub(super) is_map: bool,
     /// Whether it is being asked if everything that was done is to be forgotten.
     pub(super) is_resetting: bool,
+    /// The lesson that was ended just now.
+    pub(super) ended: Option<String>,
+    /// Whether the list has yet to be scrolled to the lesson that comes next.
+    pub(super) is_moving_on: bool,
     /// What is told about a file that was written or read.
     pub(super) notice: Option<String>,
     /// What is wrong with a lesson that was saved.
@@ -68,7 +72,9 @@ impl LessonPane {
         if self.open.is_some() {
             return step::ui(ui, self, seen);
         }
-        if self.is_map { course_map::ui(ui, self) } else { course_list::ui(ui, self) }
+        let onward = onward::ui(ui, self);
+        let chosen = if self.is_map { course_map::ui(ui, self) } else { course_list::ui(ui, self) };
+        onward.or(chosen)
     }
 
     /// Takes these lessons in place of the ones before.
@@ -88,6 +94,7 @@ impl LessonPane {
         let left = kept.filter(|kept| !kept.finished).map_or(0, |kept| kept.step);
         let step = step.unwrap_or(left);
         self.open = OpenLesson::new(ctx, school, id, step).or(self.open.take());
+        self.ended = None;
         self.term = None;
         self.unread = None;
         self.watch = school.lessons.shelf.file(id).map(|file| Watch::start(ctx, &file));
@@ -110,6 +117,8 @@ impl LessonPane {
     pub(super) fn finish(&mut self) {
         if let Some(open) = &self.open {
             self.progress.of(&open.id).finished = true;
+            self.ended = Some(open.id.clone());
+            self.is_moving_on = true;
         }
         self.close();
     }

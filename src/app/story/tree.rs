@@ -65,16 +65,23 @@ enum Asked {
     Lift,
 }
 
-/// Where to scroll, if the selection moved out of sight: its row goes to the third of the height.
+/// Where to scroll, if the selection moved out of sight, or the panel became so low that it is out of sight: its row goes to the
+/// third of the height.
 fn offset_of_selection(ui: &Ui, recording: &mut Recording) -> Option<f32> {
-    if !std::mem::take(&mut recording.selection_moved) {
+    let height = ui.available_height();
+    if height < ROW {
+        // Nothing is seen yet: the panel comes to its height later.
         return None;
     }
     let focus = ui.scope_id().with("outline keys");
-    let [offset, height] = ui.ctx().data(|data| data.get_temp(focus)).unwrap_or([0.0, ui.available_height()]);
-    let top = recording.story().outline().row_of(recording.selected())? as f32 * ROW;
-    let in_sight = top >= offset && top + ROW <= offset + height;
-    (!in_sight).then(|| (top - height / 3.0).max(0.0))
+    // The height was another one before in another layout, or behind another panel.
+    let [offset, before] = ui.ctx().data(|data| data.get_temp(focus)).unwrap_or([0.0, height]);
+    let top = recording.story().outline().row_of(recording.selected()).map(|row| row as f32 * ROW);
+    let is_in = |height: f32| top.is_some_and(|top| top >= offset && top + ROW <= offset + height);
+    let has_moved = std::mem::take(&mut recording.selection_moved);
+    let was_seen = before > height && is_in(before);
+    let target = top.filter(|_| (has_moved || was_seen) && !is_in(height));
+    target.map(|top| (top - height / 3.0).max(0.0))
 }
 
 /// The rows of a range, the first `told` of which are told.

@@ -3,6 +3,7 @@
 use super::{Subject, subtitle};
 use crate::csg::{Leaf, Placement, Solid};
 use crate::math::portable;
+use crate::shape::{Bounds, Primitive, Shape};
 use crate::view::axis::round_step;
 use crate::view::drawing::{Anchor, Frame, Spot, Stroke};
 use crate::view::sheet::{SMALL, Sheet};
@@ -24,9 +25,33 @@ pub(super) fn draw(sheet: &mut Sheet, frame: &Frame, subject: &Subject) {
         sheet.line(frame, line, Stroke::solid(colour, 2.0));
         sheet.placer.avoid_outline(line);
     }
+    if section.outline.is_empty() {
+        for [from, to] in cuts(&subject.at.leaf.shape, &plane) {
+            sheet.line(frame, &[from, to], Stroke::solid(colour, 2.0));
+            sheet.placer.avoid_line(from, to);
+        }
+    }
     sheet.event = own;
     subject.ray(sheet, frame, &|point| plane.spot(point));
     caption(sheet, frame, &plane);
+}
+
+/// Where the plane cuts a shape that bounds nothing: from where its edge goes through the plane to where it comes back.
+fn cuts(shape: &Shape, plane: &PlaneView) -> Vec<[Spot; 2]> {
+    let Bounds { low, high } = shape.bounds();
+    if (high - low).min_element() > 0.0 {
+        return Vec::new();
+    }
+    let side = |point: DVec3| (point - plane.origin).dot(plane.normal);
+    let outline = shape.outline();
+    let pairs = outline.iter().flat_map(|line| line.windows(2)).map(|pair| [pair[0], pair[1]]);
+    let crossing = |[from, to]: [DVec3; 2]| {
+        let [before, after] = [side(from), side(to)];
+        ((before < 0.0) != (after < 0.0)).then(|| plane.spot(from.lerp(to, before / (before - after))))
+    };
+    let mut spots: Vec<Spot> = pairs.filter_map(crossing).collect();
+    spots.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
+    spots.chunks_exact(2).map(|ends| [ends[0], ends[1]]).collect()
 }
 
 /// The plane of the ray and of z, which stays upright; where the ray runs along z nearly, that of the ray and of y. The ray runs

@@ -4,6 +4,7 @@ use super::*;
 use crate::record::What;
 use crate::scene::{embedded_scene, embedded_scenes, load};
 use crate::trace::record_pixel;
+use crate::view::drawing::{Form, Mark};
 use crate::view::readable::assert_readable;
 
 fn recorded(name: &str) -> (Scene, RayTree, EventId) {
@@ -86,4 +87,19 @@ fn a_tree_of_another_scene_shows_nothing() {
     let options =
         GenericViewOptions { size: [300.0, 200.0], theme: Theme::Light, look: GenericLook::Space, probe_t: None };
     assert!(generic_view(&other, &tree, hit, &options).is_none());
+}
+
+#[test]
+fn the_section_of_the_square_goes_from_edge_to_edge_through_the_place_of_the_hit() {
+    let (scene, tree, hit) = recorded("primitives/square");
+    let options =
+        GenericViewOptions { size: [300.0, 300.0], theme: Theme::Light, look: GenericLook::Section, probe_t: None };
+    let drawing = generic_view(&scene, &tree, hit, &options).unwrap();
+    let primitive = PrimitiveAt::of(&scene, &tree, hit).unwrap().event;
+    let inside = Theme::Light.palette().inside;
+    let is_cut = |mark: &&Mark| {
+        let Form::Line { points, stroke } = &mark.form else { return false };
+        mark.event == Some(primitive) && stroke.colour == inside && points.len() == 2 && points[0] != points[1]
+    };
+    assert_eq!(drawing.marks.iter().filter(is_cut).count(), 1);
 }

@@ -25,15 +25,15 @@ const SMALL: f64 = 10.5;
 const MARGIN: f64 = 12.0;
 const STRIP: f64 = 13.0;
 
-/// The plot of the `Implicit` event at or near `selected`: itself, the first below it, or the first below the nearest
-/// event above it that has one and is part of the same object.
+/// The plot of the `Implicit` event at or near `selected`: itself, the first below it, the first below the nearest
+/// event above it that has one and is part of the same object, or for a hit that of the primitive that was hit; of the same ray,
+/// in any case.
 #[must_use]
 pub fn sign_plot(tree: &RayTree, selected: EventId, size: [f64; 2], theme: Theme) -> Option<Drawing> {
-    drawn(tree, selected, None, size, theme).map(|plot| plot.drawing)
+    drawn(tree, asked_near(tree, selected)?, None, size, theme).map(|plot| plot.drawing)
 }
 
-/// The same, for a hit that of the primitive that was hit, with a time that can be dragged along the ray: the point there, d, and
-/// whether that is inside. The time is brought
+/// The same, with a time that can be dragged along the ray: the point there, d, and whether that is inside. The time is brought
 /// to the nearest one that the plot shows. F is the shape's own, at the point that the recorded S and c give.
 #[must_use]
 pub fn probed_sign_plot(
@@ -44,21 +44,13 @@ pub fn probed_sign_plot(
     size: [f64; 2],
     theme: Theme,
 ) -> Option<ProbedSigns> {
-    let of_hit = || Story::of(tree, selected)?.primitive_near(selected);
-    let selected = if implicit_near(tree, selected).is_some() { selected } else { of_hit()? };
-    let plot = drawn(tree, selected, probe_t.map(|t| (scene, t)), size, theme)?;
+    let event = asked_near(tree, selected)?;
+    let plot = drawn(tree, event, probe_t.map(|t| (scene, t)), size, theme)?;
     let layout = SignPlotLayout { t: plot.t.values, x: plot.t.points, y: [MARGIN + 30.0, plot.d.points[0] + STRIP] };
     Some(ProbedSigns { drawing: plot.drawing, layout, probe: plot.probe })
 }
 
-fn drawn(
-    tree: &RayTree,
-    selected: EventId,
-    probe: Option<(&Scene, f64)>,
-    size: [f64; 2],
-    theme: Theme,
-) -> Option<Plot> {
-    let event = implicit_near(tree, selected)?;
+fn drawn(tree: &RayTree, event: EventId, probe: Option<(&Scene, f64)>, size: [f64; 2], theme: Theme) -> Option<Plot> {
     let What::Implicit { equation, samples, roots, signs } = &tree.event(event).what else { return None };
     let samples: Vec<Spot> = samples.iter().copied().filter(|[t, d]| t.is_finite() && d.is_finite()).collect();
     let ([first, _], [last, _]) = (samples.first()?, samples.last()?);
@@ -97,12 +89,19 @@ fn drawn(
     Some(plot)
 }
 
-fn implicit_near(tree: &RayTree, selected: EventId) -> Option<EventId> {
-    if selected >= tree.end() {
-        return None;
-    }
-    let below =
-        |id: EventId| (id..tree.subtree_end(id)).find(|&id| matches!(tree.event(id).what, What::Implicit { .. }));
+/// The `Implicit` event that `selected` is about: one of the same ray beside it or, for what happens at a hit, that of the primitive
+/// that was hit.
+fn asked_near(tree: &RayTree, selected: EventId) -> Option<EventId> {
+    let story = Story::of(tree, selected)?;
+    implicit_near(&story, selected).or_else(|| implicit_near(&story, story.primitive_near(selected)?))
+}
+
+fn implicit_near(story: &Story, selected: EventId) -> Option<EventId> {
+    let Story { tree, flights } = story;
+    let own = flights.owner(selected);
+    // Below the colour of a hit lie the rays that it sent, which ask the same shapes.
+    let is_it = |id: &EventId| matches!(tree.event(*id).what, What::Implicit { .. }) && flights.owner(*id) == own;
+    let below = |id: EventId| (id..tree.subtree_end(id)).find(is_it);
     for id in tree.path(selected).into_iter().rev() {
         if let Some(found) = below(id) {
             return Some(found);

@@ -79,3 +79,16 @@ fn nothing_covers_anything_at_any_size() {
         }
     }
 }
+
+#[test]
+fn what_happens_at_a_hit_has_the_signs_of_the_ray_that_hit_and_not_those_of_a_shadow() {
+    let name = "textures/solid_textures";
+    let scene = load(embedded_scene(name).unwrap().text, name).unwrap();
+    let tree = record_pixel(&scene, 500, 140);
+    let lattice = tree.events.iter().find(|event| matches!(event.what, What::Lattice(_))).expect("there is noise").id;
+    let hit = |what: &What| if let What::Hit { t, .. } = what { Some(*t) } else { None };
+    let t = tree.events[..lattice as usize].iter().find_map(|event| hit(&event.what)).expect("something is hit");
+    let asked = asked_near(&tree, lattice).expect("the shape was asked");
+    let What::Implicit { roots, .. } = &tree.event(asked).what else { panic!("it says where the ray is inside") };
+    assert!(roots.iter().any(|root| (root - t).abs() < 1e-9 * t), "{t} is none of {roots:?}");
+}

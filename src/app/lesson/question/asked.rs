@@ -20,6 +20,17 @@ pub struct Asked {
     pub problem: Option<String>,
     /// What is kept of it.
     pub record: Record,
+    /// What was said just now and is not brought into sight yet.
+    pub news: Option<News>,
+}
+
+/// Something that is said about a question.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum News {
+    /// One hint more.
+    Hint,
+    /// What came of an answer.
+    Outcome,
 }
 
 /// An answer that is not given yet.
@@ -51,8 +62,8 @@ impl Asked {
         let draft = draft_of(&posed.form, record.last.as_ref());
         let verdict =
             record.last.as_ref().map(|last| posed.judge(last)).filter(|verdict| verdict.is_right || !record.solved);
-        let mut asked = Self { number, posed, draft, verdict, problem: None, record };
-        if asked.record.revealed && !asked.record.solved {
+        let mut asked = Self { number, posed, draft, verdict, problem: None, record, news: None };
+        if asked.is_told() {
             asked.verdict = None;
             asked.draft = asked.right();
         }
@@ -108,12 +119,31 @@ impl Asked {
         }
         record.last = answer;
         self.problem = None;
+        self.say(verdict);
+    }
+
+    /// Says something about an answer that is still being worked on; it counts for nothing.
+    pub fn say(&mut self, verdict: Verdict) {
         self.verdict = Some(verdict);
+        self.news = Some(News::Outcome);
+    }
+
+    /// Says why an answer cannot be judged.
+    pub fn refuse(&mut self, problem: String) {
+        self.problem = Some(problem);
+        self.news = Some(News::Outcome);
     }
 
     /// Shows one hint more.
     pub fn hint(&mut self) {
         self.record.hints = (self.record.hints + 1).min(self.posed.hints.len());
+        self.news = Some(News::Hint);
+    }
+
+    /// Whether what is shown is the answer as the lesson gives it, not one that was found.
+    #[must_use]
+    pub const fn is_told(&self) -> bool {
+        self.record.revealed && !self.record.solved
     }
 
     /// Puts the right answer in.
@@ -121,6 +151,7 @@ impl Asked {
         self.record.revealed |= !self.record.solved;
         self.draft = self.right();
         self.problem = None;
+        self.news = Some(News::Outcome);
         self.verdict = match &self.draft {
             Draft::Choice(Some(right)) => Some(self.posed.judge(&Answer::Choice(*right))),
             _ => None,

@@ -4,7 +4,7 @@ use super::asked::{Asked, Draft};
 use super::{QuestionWish, Seen, intervals, numbered, order};
 use crate::app::frame::theme::Palette;
 use crate::app::frame::words::{say, say_with};
-use crate::app::lesson::text::{Reader, running};
+use crate::app::lesson::text::Reader;
 use crate::app::pane::Pane;
 use crate::lesson::model::Surface;
 use crate::lesson::prose::plain;
@@ -62,7 +62,7 @@ fn choice(ui: &mut Ui, reader: &mut Reader, choices: &[PosedChoice], chosen: &mu
             }
             let row = ui.vertical(|ui| {
                 ui.add_space(3.0);
-                reader.line(ui, &choice.text, &running());
+                reader.option(ui, &choice.text);
             });
             // The words belong to the button: a click on them is one on it.
             let row = ui.interact(row.response.rect, button.id.with("words"), egui::Sense::CLICK);
@@ -87,12 +87,12 @@ fn place(ui: &mut Ui, surface: Surface, is_armed: bool, number: usize, seen: &Se
         if numbered(ui, word, number, true).clicked() {
             wish = Some(QuestionWish::Arm(!is_armed));
         }
-        let there = match surface {
+        let is_there = match surface {
             Surface::Image => seen.pixel.is_some(),
             Surface::Side => seen.event.is_some(),
         };
         // For whoever uses no pointer.
-        if numbered(ui, take, number, there && seen.is_staged).clicked() {
+        if numbered(ui, take, number, is_there).clicked() {
             wish = Some(QuestionWish::TakePlace(surface));
         }
         if ui.button(say(ui.ctx(), pane.word())).on_hover_text(say(ui.ctx(), "lesson-show-about")).clicked() {

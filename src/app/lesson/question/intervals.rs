@@ -1,12 +1,15 @@
 //! Interval lists to choose from, each as bars on the same axis.
 
 use crate::app::frame::theme::{Palette, colour, drawing_theme};
+use crate::lesson::expression::{Format, Value};
 use crate::lesson::question::{Reckoned, Stretch, list_text, offered_lists};
-use crate::record::format_number;
 use egui::{Align2, FontId, Rect, RichText, Role, Sense, Stroke, Ui, WidgetInfo, pos2, vec2};
+use std::collections::BTreeSet;
 
 /// Height of a list with its bars, in points.
-const ROW: f32 = 26.0;
+const ROW: f32 = 34.0;
+/// Where the bars lie below the ends in numbers, from the top of the row, in points.
+const MIDDLE: f32 = 24.0;
 /// Height of a bar, in points.
 const BAR: f32 = 10.0;
 
@@ -23,6 +26,7 @@ pub fn ui(ui: &mut Ui, reckoned: &Reckoned<Vec<Stretch>>, chosen: &mut Option<us
             let width = (ui.available_width() - 24.0).max(60.0);
             let (rect, bars) = ui.allocate_exact_size(vec2(width, ROW), Sense::CLICK);
             axis.paint(ui, rect, list, is_chosen);
+            axis.write(ui, rect, list);
             if button.clicked() || bars.clicked() {
                 *chosen = Some(place);
             }
@@ -32,7 +36,6 @@ pub fn ui(ui: &mut Ui, reckoned: &Reckoned<Vec<Stretch>>, chosen: &mut Option<us
             }
         });
     }
-    axis.scale(ui);
 }
 
 /// The times that all lists are drawn on.
@@ -64,7 +67,7 @@ impl Axis {
         if is_chosen {
             painter.rect_filled(rect, 3.0, palette.selected);
         }
-        let middle = rect.center().y;
+        let middle = rect.top() + MIDDLE;
         painter.hline(rect.x_range(), middle, Stroke::new(1.0, palette.edge));
         for &t in &self.ends {
             let x = self.x(rect, t);
@@ -80,17 +83,48 @@ impl Axis {
         }
     }
 
-    /// The first and the last time below the bars.
-    fn scale(&self, ui: &mut Ui) {
-        let palette = Palette::current(ui.ctx());
-        let inset = ui.spacing().icon_width + ui.spacing().icon_spacing + ui.spacing().item_spacing.x;
-        let (whole, _) = ui.allocate_exact_size(vec2(ui.available_width(), 16.0), Sense::hover());
-        let rect = whole.with_min_x(whole.left() + inset).with_max_x(whole.right() - 24.0);
-        let font = FontId::proportional(11.0);
-        let painter = ui.painter();
-        for t in self.ends.first().into_iter().chain(self.ends.last()) {
-            let at = pos2(self.x(rect, *t), rect.top());
-            painter.text(at, Align2::CENTER_TOP, format!("t = {}", format_number(*t)), font.clone(), palette.weak);
-        }
+    /// The ends of all bars above them.
+    fn write(&self, ui: &Ui, rect: Rect, list: &[Stretch]) {
+        let text = told(list, digits(&self.ends));
+        let font = FontId::proportional(12.0);
+        let at = pos2(rect.left() + 4.0, rect.top() + 1.0);
+        ui.painter_at(rect).text(at, Align2::LEFT_TOP, text, font, Palette::current(ui.ctx()).text);
+    }
+}
+
+/// With how many digits ends are told: as few as a text has, and more only where two of them would look the same.
+fn digits(ends: &[f64]) -> usize {
+    let tells_apart = |digits: &usize| {
+        let written: BTreeSet<String> = ends.iter().map(|end| shown(*end, *digits)).collect();
+        written.len() == ends.len()
+    };
+    (3..6).find(tells_apart).unwrap_or(6)
+}
+
+fn shown(t: f64, digits: usize) -> String {
+    Format::Significant(digits).written(&Value::Number(t))
+}
+
+/// A list in words, with so many digits.
+fn told(list: &[Stretch], digits: usize) -> String {
+    let end = |t: Option<f64>, unbounded: &str| t.map_or(unbounded.to_owned(), |t| shown(t, digits));
+    let stretches = list.iter().map(|[from, to]| format!("t = {} … {}", end(*from, "−∞"), end(*to, "∞")));
+    let stretches: Vec<String> = stretches.collect();
+    if stretches.is_empty() { "∅".to_owned() } else { stretches.join("  ∪  ") }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn both_ends_of_every_bar_are_told_with_as_few_digits_as_tell_them_apart() {
+        let ends = [2.548_771, 3.1, 8.25];
+        assert_eq!(
+            told(&[[Some(2.548_771), Some(3.1)], [Some(8.25), None]], digits(&ends)),
+            "t = 2.55 … 3.1  ∪  t = 8.25 … ∞"
+        );
+        assert_eq!(digits(&[2.548_771, 2.548_9, 3.1]), 5);
+        assert_eq!(told(&[], 3), "∅");
     }
 }

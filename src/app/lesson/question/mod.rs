@@ -8,7 +8,10 @@ mod order;
 
 pub use asked::{Asked, Draft};
 
-use super::text::{Reader, barred};
+use asked::News;
+
+use super::text::{Reader, SIZE, barred};
+use crate::app::frame::code::with_code;
 use crate::app::frame::theme::{Palette, bold};
 use crate::app::frame::words::{say, say_with};
 use crate::app::pane::Pane;
@@ -16,14 +19,14 @@ use crate::lesson::Verdict;
 use crate::lesson::model::Surface;
 use crate::lesson::question::Form;
 use crate::record::EventId;
-use egui::{Button, Frame, Margin, Response, RichText, Role, Stroke, Ui, WidgetInfo};
+use egui::{Button, Frame, Margin, Rect, Response, RichText, Role, Stroke, Ui, WidgetInfo};
 
 /// What is to be seen elsewhere, as far as answers are about it.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Seen {
     /// Where t stands on the sign plot.
     pub probe_t: Option<f64>,
-    /// The recorded pixel.
+    /// The pixel that was recorded in the scene of the step, in place of the step's own.
     pub pixel: Option<[u32; 2]>,
     /// The selected event of the step's own ray.
     pub event: Option<EventId>,
@@ -75,8 +78,13 @@ pub fn ui(
         let of_form = ui.push_id(("form", number), |ui| form::ui(ui, reader, asked, number, seen)).inner;
         ui.add_space(2.0);
         let of_row = buttons(ui, asked, number, seen);
-        hints(ui, reader, asked);
-        outcome(ui, reader, asked);
+        let last_hint = hints(ui, reader, asked);
+        let outcome = ui.scope(|ui| outcome(ui, reader, asked)).response.rect;
+        match asked.news.take() {
+            Some(News::Hint) => last_hint.into_iter().for_each(|rect| ui.scroll_to_rect(rect, None)),
+            Some(News::Outcome) => ui.scroll_to_rect(outcome, None),
+            None => {}
+        }
         of_form.or(of_row)
     });
     shown.inner
@@ -112,7 +120,9 @@ fn buttons(ui: &mut Ui, asked: &Asked, number: usize, seen: &Seen) -> Option<Que
             }
         }
         let left = asked.posed.hints.len().saturating_sub(asked.record.hints);
-        if left > 0 && !asked.is_done() && numbered(ui, "lesson-hint", number, true).clicked() {
+        // After the last hint its button stays: else the one for the answer would slide under the pointer.
+        let has_hints = !asked.posed.hints.is_empty() && !asked.is_done();
+        if has_hints && numbered(ui, "lesson-hint", number, left > 0).clicked() {
             wish = Some(QuestionWish::Hint);
         }
         if !asked.is_done() && numbered(ui, "lesson-reveal", number, true).clicked() {
@@ -122,26 +132,32 @@ fn buttons(ui: &mut Ui, asked: &Asked, number: usize, seen: &Seen) -> Option<Que
     wish
 }
 
-fn hints(ui: &mut Ui, reader: &mut Reader, asked: &Asked) {
+/// The hints so far; returns where the last one stands.
+fn hints(ui: &mut Ui, reader: &mut Reader, asked: &Asked) -> Option<Rect> {
+    let mut last = None;
     let weak = Palette::current(ui.ctx()).weak;
     for (place, hint) in asked.posed.hints.iter().take(asked.record.hints).enumerate() {
         let title = say_with(ui.ctx(), "lesson-hint-title", &[("number", (place + 1).into())]);
-        barred(ui, weak, |ui| {
-            ui.label(RichText::new(title).size(12.0).color(weak));
-            reader.prose(ui, hint);
+        let shown = ui.scope(|ui| {
+            barred(ui, weak, |ui| {
+                ui.label(RichText::new(title).size(12.0).color(weak));
+                reader.prose(ui, hint);
+            });
         });
+        last = Some(shown.response.rect);
     }
+    last
 }
 
 /// What came of the answer, in words and with a sign.
 fn outcome(ui: &mut Ui, reader: &mut Reader, asked: &Asked) {
     let palette = Palette::current(ui.ctx());
     if let Some(problem) = &asked.problem {
-        ui.label(RichText::new(problem).color(palette.problem));
+        ui.label(with_code(problem, SIZE, palette.problem));
     }
     let explain = asked.posed.explain.as_ref();
     if let Some(verdict) = &asked.verdict {
-        tell(ui, reader, verdict);
+        tell(ui, reader, verdict, asked.is_told());
         // Of most questions what is said of the right answer is the explanation; that of a choice is said before it.
         let is_said = verdict.is_right && verdict.feedback.as_ref() == explain;
         if let Some(explain) = explain.filter(|_| !is_said && asked.is_done()) {
@@ -158,15 +174,16 @@ fn outcome(ui: &mut Ui, reader: &mut Reader, asked: &Asked) {
     }
 }
 
-fn tell(ui: &mut Ui, reader: &mut Reader, verdict: &Verdict) {
+/// What is said about an answer; one that was not found but shown is not praised.
+fn tell(ui: &mut Ui, reader: &mut Reader, verdict: &Verdict, is_told: bool) {
     let palette = Palette::current(ui.ctx());
-    let (sign, word, colour) = if verdict.is_right {
-        ("✓", "lesson-right", palette.accent)
-    } else {
-        ("✗", "lesson-wrong", palette.problem)
+    let (sign, word, colour) = match (verdict.is_right, is_told) {
+        (true, true) => ("", "lesson-revealed", palette.accent),
+        (true, false) => ("✓ ", "lesson-right", palette.accent),
+        (false, _) => ("✗ ", "lesson-wrong", palette.problem),
     };
     barred(ui, colour, |ui| {
-        ui.label(RichText::new(format!("{sign} {}", say(ui.ctx(), word))).family(bold()).color(colour));
+        ui.label(RichText::new(format!("{sign}{}", say(ui.ctx(), word))).family(bold()).color(colour));
         if let Some(feedback) = &verdict.feedback {
             reader.prose(ui, feedback);
         }

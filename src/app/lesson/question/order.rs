@@ -2,7 +2,7 @@
 
 use crate::app::frame::theme::Palette;
 use crate::app::frame::words::{say, say_with};
-use crate::app::lesson::text::{Reader, running};
+use crate::app::lesson::text::Reader;
 use crate::lesson::prose::{Line, Told, plain};
 use egui::{Button, CursorIcon, Frame, Margin, Rect, Role, Sense, Stroke, Ui, WidgetInfo, vec2};
 
@@ -63,7 +63,7 @@ fn row(ui: &mut Ui, reader: &mut Reader, items: &[Line<Told>], chosen: &[usize],
                 }
             }
             ui.label(format!("{}.", place + 1));
-            reader.line(ui, line, &running());
+            reader.option(ui, line);
         });
     });
     (shown.response.rect, asked)

@@ -1,8 +1,8 @@
 //! One paragraph: its words, values, formulas and links.
 
-use super::flow::{Flow, Piece};
+use super::flow::{Flow, Lines, Piece};
 use super::formula::ink;
-use super::{Reader, TextWish};
+use super::{Reader, TextWish, running, strip};
 use crate::app::frame::theme::{Palette, bold};
 use crate::app::frame::words::{say, say_with};
 use crate::lesson::prose::{Inline, Line, Target, Told, code, latex};
@@ -22,34 +22,65 @@ struct Draft {
     deeds: Vec<Deed>,
     words: String,
     width: f32,
+    /// Whether a click in it is for what it stands in: then its values and links are words like others.
+    is_option: bool,
 }
 
 impl Reader<'_> {
     /// Shows a paragraph, as wide as there is room.
     pub fn line(&mut self, ui: &mut Ui, line: &Line<Told>, font: &FontId) {
         let width = ui.available_width();
-        self.line_within(ui, line, font, width);
+        let draft = self.draft(ui, line, font, width, false);
+        self.show(ui, draft);
     }
 
-    /// Shows a line that is not broken.
-    pub fn cell(&mut self, ui: &mut Ui, line: &Line<Told>, font: &FontId) {
-        self.line_within(ui, line, font, f32::INFINITY);
+    /// Shows an answer that can be chosen or moved. Its values lead nowhere: their events would tell which one is right.
+    pub fn option(&mut self, ui: &mut Ui, line: &Line<Told>) {
+        let width = ui.available_width();
+        let draft = self.draft(ui, line, &running(), width, true);
+        self.show(ui, draft);
     }
 
-    fn line_within(&mut self, ui: &mut Ui, line: &Line<Told>, font: &FontId, width: f32) {
+    /// Shows a line that is no wider than its column.
+    pub fn cell(&mut self, ui: &mut Ui, line: &Line<Told>, font: &FontId, width: f32) {
+        let Draft { flow, deeds, words, .. } = self.draft(ui, line, font, width, false);
+        self.lines(ui, &flow.broken(), &deeds, &words);
+    }
+
+    /// How wide a line is that is not broken, and how wide the widest of what has no space in it is.
+    pub fn widths(&mut self, ui: &Ui, line: &Line<Told>, font: &FontId) -> [f32; 2] {
+        self.draft(ui, line, font, f32::INFINITY, false).flow.widths()
+    }
+
+    fn draft(&mut self, ui: &Ui, line: &Line<Told>, font: &FontId, width: f32, is_option: bool) -> Draft {
         let format = TextFormat::simple(font.clone(), ink(ui.ctx()));
-        let flow = Flow::new(ui.ctx(), &format);
-        let mut draft = Draft { flow, deeds: Vec::new(), words: String::new(), width };
+        let flow = Flow::new(ui.ctx(), &format, width);
+        let mut draft = Draft { flow, deeds: Vec::new(), words: String::new(), width, is_option };
         self.inlines(ui, line, &format, None, &mut draft);
-        let lines = draft.flow.broken(width);
+        draft
+    }
+
+    /// Shows a paragraph; one with a formula that is wider than the room is scrolled.
+    fn show(&mut self, ui: &mut Ui, draft: Draft) {
+        let Draft { flow, deeds, words, width, .. } = draft;
+        let lines = flow.broken();
+        if lines.size.x > width + 1.0 {
+            self.count += 1;
+            let salt = ("wide", self.count);
+            strip(ui, salt, |ui| self.lines(ui, &lines, &deeds, &words));
+        } else {
+            self.lines(ui, &lines, &deeds, &words);
+        }
+    }
+
+    fn lines(&mut self, ui: &mut Ui, lines: &Lines, deeds: &[Deed], words: &str) {
         let (rect, _) = ui.allocate_exact_size(lines.size, Sense::hover());
         self.count += 1;
         let id = ui.scope_id().with(("paragraph", self.count));
-        let words = draft.words;
-        ui.interact(rect, id, Sense::hover()).widget_info(|| WidgetInfo::labeled(Role::Label, true, &words));
+        ui.interact(rect, id, Sense::hover()).widget_info(|| WidgetInfo::labeled(Role::Label, true, words));
         for (place, (deed, spot)) in lines.deeds(rect.min).into_iter().enumerate() {
             let response = ui.interact(spot.expand(1.0), id.with(place), Sense::click());
-            self.link(ui, response, spot, &draft.deeds[deed]);
+            self.link(ui, response, spot, &deeds[deed]);
         }
         if ui.is_rect_visible(rect) {
             lines.paint(ui, rect.min);
@@ -115,6 +146,7 @@ impl Reader<'_> {
                 draft.words(ui, &code(pieces), &format, deed);
             }
             Inline::Formula(pieces) => self.inline_formula(ui, &latex(pieces), format, draft),
+            Inline::Link(_, line) if draft.is_option => self.inlines(ui, line, format, deed, draft),
             Inline::Link(target, line) => {
                 let format = linked(ui, format);
                 draft.deeds.push(deed_of(ui, target, line));
@@ -146,16 +178,29 @@ impl Draft {
         self.flow.words(ui.ctx(), text, format, deed);
     }
 
+    /// A recorded text: a reason names things between backticks.
+    fn recorded(&mut self, ui: &Ui, text: &str, format: &TextFormat, deed: Option<usize>) {
+        if text.matches('`').count() % 2 == 1 {
+            return self.words(ui, text, format, deed);
+        }
+        let font_id = FontId::monospace(format.font_id.size - 1.0);
+        let code = TextFormat { font_id, ..format.clone() };
+        for (place, part) in text.split('`').enumerate() {
+            self.words(ui, part, if place % 2 == 1 { &code } else { format }, deed);
+        }
+    }
+
     /// A value; one of an event can be clicked.
     fn value(&mut self, ui: &Ui, told: &Told, format: &TextFormat) {
-        let Some(event) = told.event else { return self.words(ui, &told.text, format, None) };
+        let event = told.event.filter(|_| !self.is_option);
+        let Some(event) = event else { return self.recorded(ui, &told.text, format, None) };
         let about = say_with(ui.ctx(), "lesson-value-about", &[("from", (&told.from).into())]);
         let label =
             say_with(ui.ctx(), "lesson-value", &[("value", (&told.text).into()), ("from", (&told.from).into())]);
         self.deeds.push(Deed { wish: TextWish::Select(event), label, about });
         let colour = Palette::current(ui.ctx()).accent;
         let format = TextFormat { color: colour, ..format.clone() };
-        self.words(ui, &told.text, &format, Some(self.deeds.len() - 1));
+        self.recorded(ui, &told.text, &format, Some(self.deeds.len() - 1));
     }
 }
 

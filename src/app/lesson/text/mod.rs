@@ -1,5 +1,6 @@
 //! The text of lessons on screen: paragraphs with values that can be clicked, formulas, lists, tables, terms with their meanings.
 
+mod columns;
 mod flow;
 mod formula;
 mod line;
@@ -9,11 +10,17 @@ pub use formula::Formulas;
 use crate::app::frame::theme::{Palette, bold};
 use crate::lesson::prose::{Block, Line, Prose, Told, code, latex};
 use crate::record::EventId;
-use egui::{FontFamily, FontId, Frame, Grid, Label, Margin, RichText, ScrollArea, Ui};
+use egui::style::ScrollStyle;
+use egui::{AsIdSalt, FontFamily, FontId, Frame, Grid, Label, Margin, RichText, ScrollArea, Ui};
+use flow::LEAST_SHARE;
+use formula::SetFormula;
 use std::collections::BTreeMap;
 
 /// The size of running text, in points.
 pub const SIZE: f32 = 14.0;
+
+/// Room between two columns of a table, in points.
+const CELL_GAP: f32 = 14.0;
 
 /// What a click in a text asks for.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -94,27 +101,39 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// A table, which is scrolled where it is wider than the room.
+    /// A table, whose cells are broken where it is wider than the room; what even so is too wide is scrolled.
     pub fn table(&mut self, ui: &mut Ui, head: &[Line<Told>], rows: &[Vec<Line<Told>>]) {
         self.count += 1;
         let salt = self.count;
-        ScrollArea::horizontal().id_salt(("table", salt)).auto_shrink([false, true]).show(ui, |ui| {
-            let grid = Grid::new(("cells", salt)).striped(true).num_columns(head.len()).spacing([14.0, 4.0]);
+        let [head_font, font] = [FontId::new(SIZE - 1.0, bold()), FontId::proportional(SIZE - 1.0)];
+        let mut columns = vec![[0.0_f32; 2]; head.len()];
+        let heads = head.iter().zip(0..).map(|(cell, place)| (cell, place, &head_font));
+        let cells = rows.iter().flat_map(|row| row.iter().zip(0..)).map(|(cell, place)| (cell, place, &font));
+        for (cell, place, font) in heads.chain(cells) {
+            let [whole, least] = self.widths(ui, cell, font);
+            if let Some(column) = columns.get_mut(place) {
+                *column = [column[0].max(whole), column[1].max(least)];
+            }
+        }
+        let room = ui.available_width() - CELL_GAP * head.len().saturating_sub(1) as f32;
+        let widths = columns::widths(&columns, room);
+        let is_wide = widths.iter().sum::<f32>() > room + 1.0;
+        let grid = Grid::new(("cells", salt)).striped(true).num_columns(head.len()).spacing([CELL_GAP, 4.0]);
+        let show = |ui: &mut Ui| {
             grid.show(ui, |ui| {
-                for cell in head {
-                    self.cell(ui, cell, &FontId::new(SIZE - 1.0, bold()));
-                }
-                ui.end_row();
-                for row in rows {
-                    for cell in row {
-                        self.cell(ui, cell, &FontId::proportional(SIZE - 1.0));
+                for (row, font) in [(head, &head_font)].into_iter().chain(rows.iter().map(|row| (&row[..], &font))) {
+                    for (cell, &width) in row.iter().zip(&widths) {
+                        self.cell(ui, cell, font, width + 0.5);
                     }
                     ui.end_row();
                 }
             });
-            // Room for the scroll bar, so that it does not lie on the last row.
-            ui.add_space(8.0);
-        });
+        };
+        if is_wide {
+            strip(ui, ("table", salt), show);
+        } else {
+            show(ui);
+        }
     }
 
     /// A formula on a line of its own, in the middle.
@@ -125,9 +144,17 @@ impl<'a> Reader<'a> {
             return;
         };
         let room = ui.available_width();
-        let size = set.size * (room / set.size.x.max(1.0)).min(1.0);
-        let (rect, _) = ui.allocate_exact_size(egui::vec2(room, size.y + 8.0), egui::Sense::hover());
+        let size = set.size * (room / set.size.x.max(1.0)).clamp(LEAST_SHARE, 1.0);
         self.count += 1;
+        if size.x > room + 1.0 {
+            strip(ui, ("wide formula", self.count), |ui| self.set_formula(ui, &set, size, size.x));
+        } else {
+            self.set_formula(ui, &set, size, room);
+        }
+    }
+
+    fn set_formula(&self, ui: &mut Ui, set: &SetFormula, size: egui::Vec2, width: f32) {
+        let (rect, _) = ui.allocate_exact_size(egui::vec2(width, size.y + 8.0), egui::Sense::hover());
         let response = ui.interact(rect, ui.scope_id().with(("formula", self.count)), egui::Sense::hover());
         response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Label, true, &set.words));
         let scale = ui.pixels_per_point();
@@ -136,6 +163,16 @@ impl<'a> Reader<'a> {
         let unit = egui::Rect::from_min_max(egui::Pos2::ZERO, egui::pos2(1.0, 1.0));
         ui.painter().image(set.texture.id(), place, unit, egui::Color32::WHITE);
     }
+}
+
+/// Something that is scrolled sideways, with a bar that is always seen: nothing else tells that it goes on.
+fn strip<T>(ui: &mut Ui, salt: impl AsIdSalt, contents: impl FnOnce(&mut Ui) -> T) -> T {
+    ui.scope(|ui| {
+        ui.spacing_mut().scroll = ScrollStyle::solid();
+        let area = ScrollArea::horizontal().id_salt(salt).auto_shrink([false, true]);
+        area.show(ui, contents).inner
+    })
+    .inner
 }
 
 /// The font of running text.
