@@ -4,6 +4,7 @@ use super::export::TraceFile;
 use super::picture::{Progress, render};
 use super::pixel::record_pixel;
 use crate::scene::{Image, Scene};
+use glam::DVec3;
 use std::io::{self, Write};
 
 /// The digest by Fowler, Noll and Vo (FNV-1a) with 64 bits: for mistakes of machines, not of people.
@@ -45,7 +46,7 @@ fn of_picture(scene: &Scene, width: u32) -> u64 {
     scene.image = Image { width, height: u32::try_from(height).unwrap_or(u32::MAX).max(1) };
     let (picture, _) = render(&scene, &Progress::new());
     let mut digest = Digest::new();
-    for channel in picture.pixels().iter().flat_map(|colour| colour.to_array()) {
+    for channel in picture.pixels().iter().flat_map(DVec3::to_array) {
         // A digest takes whatever it is given.
         let _ = digest.write_all(&channel.to_bits().to_le_bytes());
     }

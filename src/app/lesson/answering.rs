@@ -92,16 +92,16 @@ impl Workbench {
     }
 
     /// Answers a question of the step by an order: the numbers of its items, counted from 0.
-    pub fn answer_by_order(&mut self, question: usize, order: Vec<usize>) {
+    pub fn answer_by_order(&mut self, question: usize, order: &[usize]) {
         let fits = |asked: &Asked| {
             matches!(&asked.posed.form, Form::Order { right, .. } if {
-                let (mut given, mut items) = (order.clone(), right.clone());
+                let (mut given, mut items) = (order.to_vec(), right.clone());
                 given.sort_unstable();
                 items.sort_unstable();
                 given == items
             })
         };
-        let answer = self.asked(question).filter(|asked| fits(asked)).map(|_| Answer::Order(order.clone()));
+        let answer = self.asked(question).filter(|asked| fits(asked)).map(|_| Answer::Order(order.to_vec()));
         self.answer_with(question, answer);
     }
 

@@ -69,7 +69,7 @@ fn asked_of(workbench: &mut Workbench, asked: Asked) {
         }
         Asked::Digests { .. } => {}
         Asked::Answer { question, answer: Given::Number(value) } => workbench.answer_by_number(question, value),
-        Asked::Answer { question, answer: Given::Order(order) } => workbench.answer_by_order(question, order),
+        Asked::Answer { question, answer: Given::Order(order) } => workbench.answer_by_order(question, &order),
         Asked::Next => step(workbench, Step::Next),
         Asked::Back => step(workbench, Step::Back),
         Asked::Into => step(workbench, Step::Into),
