@@ -40,7 +40,7 @@ after(async () => {
  * other host was asked and no cookie is set, whatever the story was. When it fails, its pages are pictured in `failed/`.
  */
 export function story(name, given, tell) {
-  test(name, { timeout: LONGEST }, async () => {
+  test(name, { timeout: given.longest ?? LONGEST }, async () => {
     const server = await serve(DIST, { isPacking: given.isPacking });
     const browser = await browserWith(given.flags ?? []);
     const visitors = [];

@@ -1,4 +1,5 @@
-// Runs all stories against a built folder: `node run.mjs DIST [PART OF A FILE NAME]`.
+// Runs all stories against a built folder: `node run.mjs DIST [PART OF A FILE NAME]`. The program on the desktop that pictures are
+// compared with is `target/debug/rayscope`, as `cargo build` makes it, or what RAYSCOPE names.
 
 import { readdirSync, existsSync } from "node:fs";
 import { join, resolve } from "node:path";
