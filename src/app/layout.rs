@@ -17,8 +17,10 @@ impl Workbench {
     pub fn ui(&mut self, ui: &mut Ui) {
         let ctx = ui.ctx().clone();
         let window = ctx.content_rect().size() * ctx.zoom_factor();
-        self.settings.apply(&ctx, self.dock.preset().magnification(window));
-        self.dock.fit(self.room(ui.max_rect().width()));
+        let magnification = self.dock.preset().magnification(window);
+        self.settings.apply(&ctx, magnification);
+        // What is presented is large because it is to be, not because there is little room.
+        self.dock.fit(self.room(ui.max_rect().width() * magnification));
         self.take_files(&ctx);
         self.receive_opened(&ctx);
         self.follow_lesson(&ctx);
