@@ -7,7 +7,7 @@ use super::frame::{problem, top_bar};
 use super::help::Help;
 use super::workbench::Workbench;
 use super::{command, dock};
-use egui::{Rect, Ui, UiBuilder};
+use egui::{Rect, Ui, UiBuilder, Vec2};
 
 /// The gap between the panels and the window's edge, in points.
 const MARGIN: f32 = 6.0;
@@ -20,7 +20,7 @@ impl Workbench {
         let magnification = self.dock.preset().magnification(window);
         self.settings.apply(&ctx, magnification);
         // What is presented is large because it is to be, not because there is little room.
-        self.dock.fit(self.room(ui.max_rect().width() * magnification));
+        self.dock.fit(self.room(ui.max_rect().size() * magnification));
         self.take_files(&ctx);
         self.receive_opened(&ctx);
         self.follow_lesson(&ctx);
@@ -50,8 +50,8 @@ impl Workbench {
     }
 
     /// A frame in a page is read beside the page: however wide it is, it holds few things.
-    fn room(&self, width: f32) -> Room {
-        match Room::of(width) {
+    fn room(&self, window: Vec2) -> Room {
+        match Room::of(window) {
             Room::Enough if self.is_embedded => Room::TwoColumns,
             room => room,
         }

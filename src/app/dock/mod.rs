@@ -10,16 +10,16 @@ pub use behaviour::show;
 pub use preset::Preset;
 
 use crate::app::pane::Pane;
-use egui::{Context, Id, Rect};
+use egui::{Context, Id, Rect, Vec2};
 use egui_tiles::{Container, SimplificationOptions, Tile, TileId, Tree};
 use serde::{Deserialize, Serialize};
 
 /// How many columns of panels there is room for.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Room {
-    /// One: on a phone, or in a frame of a page.
+    /// One: on a phone, or on a tablet that is held upright.
     OneColumn,
-    /// Two: on a tablet that is held upright.
+    /// Two: on a phone that lies, or in a frame of a page.
     TwoColumns,
     /// As many as the layout has.
     #[default]
@@ -27,11 +27,13 @@ pub enum Room {
 }
 
 impl Room {
-    /// In windows of this width, in points.
+    /// In windows of this size, in points.
     #[must_use]
-    pub fn of(width: f32) -> Self {
-        match width {
+    pub fn of(window: Vec2) -> Self {
+        let is_upright = window.y > window.x;
+        match window.x {
             ..640.0 => Self::OneColumn,
+            ..900.0 if is_upright => Self::OneColumn,
             ..900.0 => Self::TwoColumns,
             _ => Self::Enough,
         }
@@ -322,7 +324,9 @@ mod tests {
             dock.fit(other);
             assert!(!dock.shows(Pane::Lesson), "each is kept as it was left");
         }
-        assert_eq!([360.0, 768.0, 1280.0].map(Room::of), [Room::OneColumn, Room::TwoColumns, Room::Enough]);
+        let windows = [[360.0, 740.0], [820.0, 1180.0], [740.0, 360.0], [1280.0, 800.0]];
+        let rooms = [Room::OneColumn, Room::OneColumn, Room::TwoColumns, Room::Enough];
+        assert_eq!(windows.map(|size| Room::of(size.into())), rooms);
     }
 
     #[test]
