@@ -70,7 +70,7 @@ mod tests {
     fn the_digest_is_the_published_one() {
         let mut digest = Digest::new();
         digest.write_all(b"foobar").unwrap();
-        assert_eq!(digest.0, 0x85944171f73967e8, "Fowler, Noll, Vo: test vectors of FNV-1a, 64 bits");
+        assert_eq!(digest.0, 0x8594_4171_f739_67e8, "Fowler, Noll, Vo: test vectors of FNV-1a, 64 bits");
     }
 
     #[test]

@@ -241,6 +241,12 @@ impl LessonPane {
         self.open.as_ref().map(|open| (open.id.as_str(), open.step))
     }
 
+    /// How many questions its step asks.
+    #[must_use]
+    pub fn questions(&self) -> usize {
+        self.open.as_ref().map_or(0, |open| open.asked.len())
+    }
+
     /// How many steps the lesson has that is open.
     #[must_use]
     pub fn steps(&self) -> usize {

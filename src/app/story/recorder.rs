@@ -104,7 +104,7 @@ impl Recorder {
             let _ = sender.send(record(wanted));
             ctx.request_repaint();
         };
-        self.running = system::begin("record", work).then_some((scene, receiver));
+        self.running = system::begin_at_once("record", work).then_some((scene, receiver));
     }
 }
 

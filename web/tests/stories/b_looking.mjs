@@ -47,8 +47,8 @@ story("a question of a lesson is answered, and the answer judged", {}, async ({ 
     globalThis.heard = [];
     globalThis.rayscopeHost.tell = (json) => globalThis.heard.push(JSON.parse(json));
   });
-  await send(page, { do: "lesson", lesson: "01_six_steps" });
-  await until(page, ({ lesson }) => lesson === "01_six_steps");
+  await send(page, { do: "lesson", lesson: "01_six_steps", step: 1 });
+  await until(page, ({ lesson, questions }) => lesson === "01_six_steps" && questions > 0);
   await send(page, { do: "answer", question: 0, answer: 0 });
   const answer = await (await page.waitForFunction(() => globalThis.heard.find(({ type }) => type === "answer"))).jsonValue();
   assert.deepEqual({ lesson: answer.lesson, tries: answer.tries }, { lesson: "01_six_steps", tries: 1 });

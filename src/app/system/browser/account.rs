@@ -143,6 +143,7 @@ fn state(workbench: &Workbench, is_painted: bool) -> Value {
         "stale": workbench.is_stale(),
         "lesson": lesson.map(|(lesson, _)| lesson),
         "step": lesson.map(|(_, step)| step),
+        "questions": workbench.lesson().questions(),
         "views": workbench.dock().visible().into_iter().map(|pane| pane.word()).collect::<Vec<_>>(),
     })
 }

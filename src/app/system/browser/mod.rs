@@ -15,5 +15,5 @@ mod workers;
 pub use files::{ask_where, ask_which, read_dropped, replace, write_whole, write_with_folders};
 pub use journals::{Journals, Left};
 pub use page::run_in_browser;
-pub use turns::{begin, receive_within};
+pub use turns::{begin, begin_at_once, receive_within};
 pub use workers::{begin_task, shares};

@@ -25,6 +25,11 @@ pub fn begin(name: &str, work: impl FnOnce() + Send + 'static) -> bool {
     thread::Builder::new().name(name.to_owned()).spawn(work).is_ok()
 }
 
+/// The same for work that somebody waits for.
+pub fn begin_at_once(name: &str, work: impl FnOnce() + Send + 'static) -> bool {
+    begin(name, work)
+}
+
 /// Begins a task on a thread.
 pub fn begin_task<T: Task>(ctx: &Context, scene: &Arc<Scene>, task: T) -> Option<Background<T::News>> {
     let scene = Arc::clone(scene);
