@@ -6,8 +6,8 @@ use crate::scene::Scene;
 use crate::story::{Breakpoints, Filter, Level};
 use crate::trace::RayTree;
 use egui::Context;
-use std::sync::Arc;
 use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
+use std::sync::{Arc, Weak};
 use std::time::Duration;
 
 /// A pixel to be recorded, and how it is to be told.
@@ -37,6 +37,8 @@ pub struct Recorded {
 pub struct Recorder {
     running: Option<(Arc<Scene>, Receiver<Recorded>)>,
     next: Option<Wanted>,
+    /// The scene that was recorded last.
+    seen: Weak<Scene>,
     /// Trees that nobody should see any more; dropping a large one takes longer than a frame has.
     retired: Vec<Arc<RayTree>>,
 }
@@ -104,7 +106,11 @@ impl Recorder {
             let _ = sender.send(record(wanted));
             ctx.request_repaint();
         };
-        self.running = system::begin_at_once("record", work).then_some((scene, receiver));
+        // Whoever clicks waits for it; a new scene brings so much else that its first recording has a turn of its own.
+        let is_click = self.seen.ptr_eq(&Arc::downgrade(&scene));
+        let has_begun = if is_click { system::begin_at_once("record", work) } else { system::begin("record", work) };
+        self.seen = Arc::downgrade(&scene);
+        self.running = has_begun.then_some((scene, receiver));
     }
 }
 
