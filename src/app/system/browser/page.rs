@@ -106,7 +106,10 @@ impl eframe::App for Page {
         self.address.lead(workbench);
         self.window.ui(ui, frame);
         let workbench = &mut self.window.workbench;
-        self.address.follow(ui.ctx(), workbench);
+        // The reader's way back leads through the page around a frame, not through what was looked at in it.
+        if !workbench.is_embedded {
+            self.address.follow(ui.ctx(), workbench);
+        }
         self.account.give(ui.ctx(), workbench);
         if let Some(lines) = self.digests.as_ref().and_then(Background::take) {
             self.digests = None;
