@@ -2,6 +2,7 @@
 
 use rayscope::book::{Book, BookFile, BookOptions, lesson_pdf};
 use rayscope::lesson_folder::Lessons;
+use rayscope::view::FONTS_IN_BROWSERS;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::Path;
@@ -9,7 +10,7 @@ use std::process::{Command, Output, Stdio};
 use std::sync::OnceLock;
 
 /// Small pictures and a few worked examples: what is tested does not depend on how many there are.
-const SMALL: BookOptions = BookOptions { picture_width: 12, most_examples: 5 };
+const SMALL: BookOptions = BookOptions { picture_width: 12, most_examples: 5, workbench: None };
 
 /// The files of a book by their paths, and what is wrong with its lessons.
 struct Made {
@@ -19,7 +20,7 @@ struct Made {
 
 impl Made {
     fn of(lessons: &Lessons) -> Self {
-        let mut book = Book::new(&lessons.course, &lessons.shelf, SMALL);
+        let mut book = Book::new(&lessons.course, &lessons.shelf, &SMALL);
         let mut files = BTreeMap::new();
         for leaf in book.leaves() {
             for BookFile { path, bytes } in book.make(&leaf) {
@@ -219,6 +220,21 @@ fn nothing_is_asked_for_from_outside_and_only_the_search_has_a_script() {
 }
 
 #[test]
+fn beside_the_workbench_steps_come_alive_when_they_are_unfolded() {
+    let lessons = Lessons::named(own_lessons().path().to_str().unwrap()).unwrap();
+    let options = BookOptions { workbench: Some("..".to_owned()), most_examples: 0, ..SMALL };
+    let mut book = Book::new(&lessons.course, &lessons.shelf, &options);
+    let files: Vec<BookFile> = book.leaves().iter().flat_map(|leaf| book.make(leaf)).collect();
+    let page = files.iter().find(|file| file.path == "lessons/01_bowl.html").unwrap();
+    let page = std::str::from_utf8(&page.bytes).unwrap();
+    let folded = "<details class=\"live\"><summary>Step through it here</summary>\n<iframe title=\"";
+    assert_eq!(page.matches(folded).count(), page.matches("<iframe").count());
+    assert!(page.contains("loading=\"lazy\" src=\"../../index.html?embed=view#rayscope:csg/bowl?"), "{page}");
+    assert!(page.contains("class=\"workbench\" href=\"../../index.html#rayscope:csg/bowl?"), "{page}");
+    assert!(!page.contains("<script") && !page.contains("href=\"rayscope:"));
+}
+
+#[test]
 fn every_element_that_is_opened_is_closed() {
     let with_end = [
         "p", "a", "div", "section", "details", "figure", "svg", "ol", "ul", "dl", "table", "td", "em", "data", "nav",
@@ -247,6 +263,17 @@ fn all_values_are_put_in_and_all_formulas_are_set() {
     let formula = "<svg class=\"formula\" role=\"img\" aria-label=";
     assert!(page.contains(&format!("{formula}\"t equals 8.36646\"")));
     assert!(page.contains(&format!("<div class=\"formula-line\" tabindex=\"0\">{formula}\"t sub hit equals ")));
+}
+
+#[test]
+fn the_course_has_no_formula_in_a_font_that_browsers_lack() {
+    let all: BTreeSet<usize> = course()
+        .pages()
+        .flat_map(|(_, page)| values(page, "id"))
+        .filter_map(|id| id.strip_prefix('k')?.split_once('-')?.0.parse().ok())
+        .collect();
+    assert!(all.contains(&0), "{all:?}");
+    assert!(all.iter().all(|font| *font < FONTS_IN_BROWSERS || *font > FONTS_IN_BROWSERS + 4), "{all:?}");
 }
 
 #[test]

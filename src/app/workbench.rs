@@ -326,10 +326,16 @@ impl Workbench {
         }
     }
 
+    /// Whether it shows a step within somebody's page, and nothing else: a lesson is worked through there, too.
+    #[must_use]
+    pub const fn is_read_only(&self) -> bool {
+        self.is_embedded && self.lesson.open.is_none()
+    }
+
     /// Opens what was dropped on the window or chosen in the dialogue.
     pub(in crate::app) fn take_files(&mut self, ctx: &Context) {
         let dropped = ctx.input(|input| input.raw.dropped_files.first().cloned());
-        if let Some(file) = dropped {
+        if let Some(file) = dropped.filter(|_| !self.is_read_only()) {
             self.dialog.take(ctx, &file);
         }
         if let Some(picked) = self.dialog.chosen() {

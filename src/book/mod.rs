@@ -20,6 +20,7 @@ mod questions;
 mod search;
 mod sections;
 mod step;
+mod workbench;
 mod worked_example;
 
 pub use print::lesson_pdf;
@@ -30,19 +31,22 @@ use examples::{Example, all_examples};
 use page::Page;
 use picture::Pictures;
 use search::Entry;
+use workbench::Workbench;
 
 /// What is made, and how large.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct BookOptions {
     /// The width of rendered pictures in pixels.
     pub picture_width: u32,
     /// How many worked examples there are at most.
     pub most_examples: usize,
+    /// The folder of the workbench's pages, as seen from the root of the book or in full, if there are any: steps come alive there.
+    pub workbench: Option<String>,
 }
 
 impl Default for BookOptions {
     fn default() -> Self {
-        Self { picture_width: PICTURE_WIDTH, most_examples: usize::MAX }
+        Self { picture_width: PICTURE_WIDTH, most_examples: usize::MAX, workbench: None }
     }
 }
 
@@ -84,6 +88,7 @@ pub struct Book<'a> {
     shelf: &'a dyn Shelf,
     examples: Vec<Example>,
     pictures: Pictures,
+    workbench: Workbench,
     /// What can be searched for, as the pages that were made hold it.
     entries: Vec<Entry>,
     findings: Vec<Finding>,
@@ -92,11 +97,12 @@ pub struct Book<'a> {
 impl<'a> Book<'a> {
     /// The book of a course.
     #[must_use]
-    pub fn new(course: &'a Course, shelf: &'a dyn Shelf, options: BookOptions) -> Self {
+    pub fn new(course: &'a Course, shelf: &'a dyn Shelf, options: &BookOptions) -> Self {
         let mut examples = all_examples();
         examples.truncate(options.most_examples);
         let pictures = Pictures::new(options.picture_width);
-        Self { course, shelf, examples, pictures, entries: Vec::new(), findings: course.findings.clone() }
+        let workbench = Workbench::at(options.workbench.as_deref());
+        Self { course, shelf, examples, pictures, workbench, entries: Vec::new(), findings: course.findings.clone() }
     }
 
     /// All parts, in the order in which they are to be made: the search and the contents are about those before.
@@ -138,12 +144,12 @@ impl<'a> Book<'a> {
 
     /// A page at the root of the book.
     fn page(&self) -> Page<'a> {
-        Page::new(self.course, "")
+        Page::new(self.course, "", self.workbench.clone())
     }
 
     /// A page in a folder of the book.
     fn page_in_folder(&self) -> Page<'a> {
-        Page::new(self.course, "../")
+        Page::new(self.course, "../", self.workbench.clone())
     }
 
     /// Keeps what was found while a page was made.

@@ -3,6 +3,7 @@
 use super::BookFile;
 use super::colours::Colours;
 use super::search::Entry;
+use super::workbench::Workbench;
 use crate::lesson::{Course, Finding};
 use crate::view::{Formula, SharedLetters, escaped};
 use std::fmt;
@@ -13,6 +14,8 @@ pub struct Page<'a> {
     pub course: &'a Course,
     /// The way from its folder to the root of the book.
     pub root: &'static str,
+    /// Where its links to the workbench lead.
+    pub workbench: Workbench,
     /// What is written of it.
     pub body: String,
     /// The letters of its formulas.
@@ -31,10 +34,11 @@ pub struct Page<'a> {
 
 impl<'a> Page<'a> {
     /// An empty page.
-    pub fn new(course: &'a Course, root: &'static str) -> Self {
+    pub fn new(course: &'a Course, root: &'static str, workbench: Workbench) -> Self {
         Self {
             course,
             root,
+            workbench,
             body: String::new(),
             letters: SharedLetters::default(),
             colours: Colours::default(),

@@ -54,6 +54,7 @@ impl<'a> Steps<'a> {
             page.put("</div>\n<div class=\"seen\">\n");
             let is_new = self.seen(step, &stage, shown, page, pictures);
             page.put("</div>\n");
+            live(step, &stage, page);
             if is_new {
                 tree(&stage, page);
             }
@@ -123,7 +124,8 @@ impl<'a> Steps<'a> {
             ));
         }
         if let Some(link) = to_workbench(step, stage) {
-            page.put(format_args!(" <a class=\"workbench\" href=\"{}\">Open in the workbench</a>", escaped(&link)));
+            let address = page.workbench.address(page.root, &link);
+            page.put(format_args!(" <a class=\"workbench\" href=\"{}\">Open in the workbench</a>", escaped(&address)));
         }
         page.put("</p>\n");
         let command = trace_command(&stage.aim).unwrap_or_else(|| format!("rayscope lesson open {}", self.lesson.id));
@@ -191,6 +193,13 @@ fn slip(slip: &Slip, stage: &Stage, page: &mut Page) {
         page.put(format_args!("<p><code>{}</code> holds.</p>\n", escaped(slip.shown.value.text())));
     });
     page.put("</aside>\n");
+}
+
+fn live(step: &Step, stage: &Stage, page: &mut Page) {
+    let link = to_workbench(step, stage);
+    if let Some(live) = link.and_then(|link| page.workbench.live(page.root, &link, &step.title)) {
+        page.put(live);
+    }
 }
 
 fn tree(stage: &Stage, page: &mut Page) {

@@ -70,6 +70,7 @@ fn heading(example: &Example, scene: &Scene, picture: &str, page: &mut Page) {
         })
         .collect();
     let link = link::Link { aim: Some(link::Aim::Pixel(example.pixel)), ..link::Link::to_scene(&example.scene) };
+    let address = page.workbench.address(page.root, &link.to_string());
     let words = format!("{}, with pixel {x}, {y} marked", scene.title);
     let size = [scene.image.width, scene.image.height];
     let shown = Shown { path: format!("{}{picture}", page.root), size, pixel: Some(example.pixel), words: &words };
@@ -83,7 +84,7 @@ fn heading(example: &Example, scene: &Scene, picture: &str, page: &mut Page) {
         escaped(&scene.title),
         shown.html(),
         escaped(&words),
-        escaped(&link.to_string()),
+        escaped(&address),
         escaped(&example.scene),
     ));
 }

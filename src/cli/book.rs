@@ -19,6 +19,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 Examples:
   rayscope book -o book                           the course, the glossary and all worked examples
   rayscope book my_lessons -o my_book --no-examples    lessons of your own
+  rayscope book -o dist/book --workbench ..       the course beside the workbench's pages, alive
   rayscope book --pdf 06_cube -o cube.pdf         one lesson to print
 
 The site is plain files: open index.html from the disk, or put them on any server. Nothing in them asks for anything from elsewhere, and
@@ -33,6 +34,10 @@ pub struct Book {
     /// Write this lesson as a PDF: its name, its folder or its file
     #[arg(long, value_name = "LESSON")]
     pdf: Option<String>,
+    /// Where the workbench's pages are, as web/README.md builds them: a folder as seen from the book, such as `..`, or an address.
+    /// Each step of a lesson can then be stepped through on its page
+    #[arg(long, value_name = "FOLDER", conflicts_with = "pdf")]
+    workbench: Option<String>,
     /// Leave out the worked examples of the scenes that come with the program
     #[arg(long, conflicts_with = "pdf")]
     no_examples: bool,
@@ -63,8 +68,8 @@ impl Book {
             None => Lessons::embedded(),
         };
         let most_examples = if self.no_examples { 0 } else { usize::MAX };
-        let options = BookOptions { most_examples, ..BookOptions::default() };
-        let mut site = Site::new(&lessons.course, &lessons.shelf, options);
+        let options = BookOptions { most_examples, workbench: self.workbench.clone(), ..BookOptions::default() };
+        let mut site = Site::new(&lessons.course, &lessons.shelf, &options);
         let stopped = Arc::new(AtomicBool::new(false));
         let asked = Arc::clone(&stopped);
         stop_on_ctrl_c(move || asked.swap(true, Ordering::Relaxed));

@@ -54,7 +54,7 @@ impl Map {
         let known =
             with_bar(work, || progress.done(), || survey(&scene, quantity, 1, &|| began.elapsed(), &progress, |_| {}));
         let known = known.ok_or_else(|| Failure::interrupted("interrupted: nothing was written"))?;
-        output.write(&scene.title, &heat_map(&known.map(), MAP_SIZE, self.theme.into()))
+        output.write(&scene.title, &heat_map(&known.map(&scene), MAP_SIZE, self.theme.into()))
     }
 }
 

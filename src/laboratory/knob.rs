@@ -5,9 +5,10 @@ use crate::scene::{Profile, Scene, Shortcuts};
 use crate::shape::{Method, Search, Shape};
 use crate::texture::image::Filter;
 use crate::texture::relief::BumpDerivative;
+use serde::{Deserialize, Serialize};
 
 /// What trades accuracy for time.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 pub enum Knob {
     /// The numbers that hits are computed with.
     Arithmetic,
@@ -36,7 +37,7 @@ pub enum Knob {
 }
 
 /// One value of one knob, all else being as the scene says.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Setting {
     /// The knob.
     pub knob: Knob,

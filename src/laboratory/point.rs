@@ -3,9 +3,10 @@
 use super::Setting;
 use crate::scene::Profile;
 use crate::trace::Picture;
+use serde::{Deserialize, Serialize};
 
 /// How long something took: the median of several times, measured in turn with others.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Timing {
     /// The median, in seconds of one thread.
     pub seconds: f64,
@@ -26,7 +27,7 @@ impl Timing {
 }
 
 /// Why a time is not to be told.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Noise {
     /// The times differ too much: by how much the median is uncertain, as a share of it.
     Spread(f64),
@@ -37,7 +38,7 @@ pub enum Noise {
 }
 
 /// How far a picture is from another one.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Errors {
     /// The root of the mean squared difference of all channels of all pixels, in linear RGB from 0 to 1 (lighter ones
     /// count as 1).
@@ -51,7 +52,7 @@ pub struct Errors {
 }
 
 /// A setting, measured.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Point {
     /// What was set; several where a combination of knobs was measured.
     pub settings: Vec<Setting>,
@@ -85,7 +86,7 @@ impl Point {
 }
 
 /// What all pictures are compared with.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Reference {
     /// Every knob at its best.
     pub profile: Profile,
@@ -101,7 +102,7 @@ pub struct Reference {
 }
 
 /// A scene, measured.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Study {
     /// What all points are compared with.
     pub reference: Reference,

@@ -4,6 +4,7 @@ use super::price::{Price, quantile};
 use crate::record::Effect;
 use crate::scene::{Image, Reason, Scene, reasons};
 use crate::trace::{OneThread, Picture, Progress, render};
+use serde::{Deserialize, Serialize};
 use std::time::Duration;
 
 /// How large the pictures are that are measured, and how often.
@@ -16,7 +17,7 @@ pub struct Size {
 }
 
 /// One effect.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Row {
     /// The effect, whether the scene calls for it, and why.
     pub reason: Reason,
@@ -31,7 +32,7 @@ pub struct Row {
 }
 
 /// What all effects of a scene cost.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Ledger {
     /// A row for each effect.
     pub rows: Vec<Row>,

@@ -1,9 +1,10 @@
 //! A price: the difference of two times that were measured in turn.
 
+use serde::{Deserialize, Serialize};
 use std::time::Duration;
 
 /// What something costs.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Price {
     /// Nanoseconds per pixel more than without it; less than 0 where it saves time.
     pub ns_per_pixel: f64,

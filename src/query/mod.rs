@@ -46,11 +46,13 @@ pub use vocabulary::Vocabulary;
 use crate::record::EventId;
 use crate::trace::RayTree;
 use expression::Expression;
+use serde::{Deserialize, Serialize};
 use std::fmt::{self, Display};
 use std::str::FromStr;
 
-/// A question that was understood.
-#[derive(Clone, Debug, PartialEq)]
+/// A question that was understood. Where it is sent or kept it is its text.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(into = "String", try_from = "String")]
 pub struct Query {
     expression: Expression,
 }
@@ -90,6 +92,20 @@ impl Query {
 impl Display for Query {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.expression.fmt(f)
+    }
+}
+
+impl From<Query> for String {
+    fn from(query: Query) -> Self {
+        query.to_string()
+    }
+}
+
+impl TryFrom<String> for Query {
+    type Error = QueryError;
+
+    fn try_from(text: String) -> Result<Self, QueryError> {
+        Self::parse(&text)
     }
 }
 

@@ -3,12 +3,13 @@
 use crate::scene::Image;
 use crate::trace::Progress;
 use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
 
 /// The first pass asks one pixel in 8 × 8: fewer would show nothing recognisable, more would take longer to appear.
 pub const FIRST_SIDE: u32 = 8;
 
 /// An answer for each pixel, as far as it is known: a block of pixels has the answer of its upper left one until each has its own.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Grid<T> {
     /// Columns and rows.
     pub size: [u32; 2],

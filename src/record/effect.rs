@@ -1,10 +1,10 @@
 //! What a scene may or may not call for.
 
 use schemars::JsonSchema;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// Something that costs time and that many a scene can do without. One that a scene does not call for runs no code.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, JsonSchema, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Effect {
     /// Several samples of a pixel, weighted by a reconstruction filter.

@@ -229,11 +229,11 @@ impl Operator {
 
     /// The sign for it.
     #[must_use]
-    pub const fn sign(self) -> &'static str {
+    pub const fn sign(self) -> char {
         match self {
-            Self::Union => "∪",
-            Self::Intersection => "∩",
-            Self::Difference => "−",
+            Self::Union => '∪',
+            Self::Intersection => '∩',
+            Self::Difference => '−',
         }
     }
 }

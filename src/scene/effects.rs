@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 pub const ALL_EFFECTS: bool = !cfg!(feature = "bare");
 
 /// An effect, and what calls for it.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Reason {
     /// The effect.
     pub effect: Effect,

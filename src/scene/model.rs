@@ -6,6 +6,7 @@ use crate::optics::{Dispersion, Medium};
 use crate::shape::{Primitive, Solving};
 use crate::texture::image::Environment;
 use glam::{DVec2, DVec3};
+use serde::{Deserialize, Serialize};
 use smallvec::SmallVec;
 
 /// Linear RGB.
@@ -102,7 +103,7 @@ pub struct Limits {
 }
 
 /// What a ray may be spared. None of it changes a picture; each can be left out to see what it saves.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[expect(clippy::struct_excessive_bools, reason = "independent switches, each used alone")]
 pub struct Shortcuts {
     /// Tests against the boxes of solids and of what they are made of.

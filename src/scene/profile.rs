@@ -7,9 +7,10 @@ use super::{Coat, Effects, Scene, Shortcuts, Texture, reasons};
 use crate::shape::{Method, Search};
 use crate::texture::image::Filter;
 use crate::texture::relief::BumpDerivative;
+use serde::{Deserialize, Serialize};
 
 /// Values for what trades accuracy for time; none where the scene itself decides.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Profile {
     /// How hits are found.
     pub method: Option<Method>,

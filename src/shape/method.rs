@@ -4,9 +4,10 @@ use super::textbook::Exhibit;
 use super::{Approach, Crossing, Crossings, Primitive, Shape};
 use crate::math::{Alone, DoubleDouble, Precise, Real};
 use crate::record::NullRecorder;
+use serde::{Deserialize, Serialize};
 
 /// An arithmetic and what is done where it cannot tell.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 pub enum Method {
     /// The program's solvers in single precision, with nothing to fall back on.
     Single,
@@ -52,7 +53,7 @@ impl Method {
 }
 
 /// How hits with superellipsoids are searched for.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Search {
     /// By the method's own solver, which cannot step over a hit.
     #[default]

@@ -6,6 +6,7 @@ use super::ray::Tracer;
 use super::tally::Tally;
 use crate::scene::{Rgb, Scene, Sights};
 use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 /// The step of the workbench's first pass: one pixel in 8 × 8. Larger blocks would show nothing recognisable; smaller ones
@@ -13,7 +14,7 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 pub const FIRST_BLOCK: u32 = 8;
 
 /// A picture in linear RGB. Pixels that were not reached yet hold the colour of a coarser pass, or the background.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Picture {
     /// Columns.
     pub width: u32,

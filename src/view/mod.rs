@@ -52,7 +52,7 @@ pub use csg_bars::csg_bars;
 pub use drawing::{Anchor, Drawing, Form, Frame, Mark, Spot, Stroke, Text};
 pub use event_plot::event_plot;
 pub use fonts::{Face, Font, FontRole, fonts, has_glyph, text_width};
-pub use formula::{Formula, FormulaError, FormulaPixels, SharedLetters, in_words};
+pub use formula::{FONTS_IN_BROWSERS, Formula, FormulaError, FormulaPixels, SharedLetters, in_words};
 pub use frontier_plot::{FrontierPlot, PlotPoint, frontier_plot, seconds};
 pub use generic_view::{GenericLook, GenericViewOptions, generic_view};
 pub use heat_map::{HeatMap, HeatScale, heat_map};

@@ -4,6 +4,8 @@
 //! deficiencies tell apart, darkened for white paper and lightened for black. Kind is also told by dash and sign, so
 //! that nothing depends on colour alone.
 
+use serde::{Deserialize, Serialize};
+
 /// An sRGB colour with straight alpha.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Colour {
@@ -42,7 +44,7 @@ impl Colour {
 }
 
 /// Light or dark background, and how far what is drawn stands out from it.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Theme {
     /// Dark ink on light ground.
     #[default]

@@ -145,13 +145,13 @@ fn depth_object_error_and_normal_are_those_of_the_recorded_rays() {
             let first = Query::parse("hit & kind=camera").unwrap().first(&tree);
             let Some(What::Hit { object, t_error, n_geometric, .. }) = first.map(|id| &tree.event(id).what) else {
                 assert!(objects[k].is_nan() && errors[k].is_nan(), "{name} {x},{y}");
-                assert_eq!(normals.told([x, y]).as_deref(), Some("nothing is hit"));
+                assert_eq!(normals.told(&scene, [x, y]).as_deref(), Some("nothing is hit"));
                 continue;
             };
             let place = scene.objects.iter().position(|other| other.name == *object).unwrap();
             assert_eq!((objects[k], errors[k]), (place as f64, *t_error), "{name} {x},{y}");
             let told = format!("normal {}", rayscope::view::brief_vector(*n_geometric));
-            assert_eq!(normals.told([x, y]), Some(told), "{name} {x},{y}");
+            assert_eq!(normals.told(&scene, [x, y]), Some(told), "{name} {x},{y}");
         }
     }
 }
@@ -172,8 +172,8 @@ fn every_survey_becomes_a_map_that_is_drawn_and_told() {
         });
         let known = known.unwrap();
         assert_eq!(passes, 4, "{quantity:?}");
-        let drawing = rayscope::view::heat_map(&known.map(), [760.0, 480.0], rayscope::view::Theme::Light);
+        let drawing = rayscope::view::heat_map(&known.map(&scene), [760.0, 480.0], rayscope::view::Theme::Light);
         assert!(drawing.description.contains("13 × 9 pixels"), "{}", drawing.description);
-        assert!(known.told([3, 3]).is_some() && known.told([13, 0]).is_none());
+        assert!(known.told(&scene, [3, 3]).is_some() && known.told(&scene, [13, 0]).is_none());
     }
 }

@@ -61,17 +61,25 @@ self.addEventListener("fetch", (event) => {
   const rest = path.slice(self.registration.scope.length);
   if (rest === "" || rest === "index.html") event.respondWith(kept(address(PAGE), event.request));
   else if (isHashed(path)) event.respondWith(kept(path, event.request));
-  else event.respondWith(newest(path, event.request));
+  else event.respondWith(newest(path, event));
 });
 
 async function kept(url, request) {
   return (await caches.match(url)) ?? fetch(request);
 }
 
-/** What has no hash may have changed: the kept copy is for when there is no network. */
-async function newest(url, request) {
+/**
+ * What has no hash may have changed: the kept copy is for when there is no network. What lies beside the workbench, such as the
+ * pages of a book, is kept once it was read.
+ */
+async function newest(url, event) {
   try {
-    return await fetch(request);
+    const response = await fetch(event.request);
+    if (response.status === 200 && response.type === "basic") {
+      const copy = response.clone();
+      event.waitUntil(caches.open(STORE).then((store) => store.put(url, copy)));
+    }
+    return response;
   } catch (error) {
     const copy = await caches.match(url);
     if (copy) return copy;

@@ -2,13 +2,15 @@
 
 use crate::app::drawings::canvas::Canvas;
 use crate::app::frame::background::Background;
+use crate::app::frame::task::{self, Task};
 use crate::app::frame::theme::{Palette, drawing_theme};
 use crate::app::frame::words::{say, say_with};
 use crate::laboratory::{MapKind, Point, Study, digits_map, error_map, plot, tier_map, time_map};
 use crate::scene::{Image, Scene};
-use crate::trace::Progress;
+use crate::trace::{Picture, Progress};
 use crate::view::{Drawing, Form, HeatMap, Spot, Theme, frontier_plot, heat_map};
 use egui::{Color32, Pos2, Rect, Role, Sense, Stroke, TextureHandle, Ui, Vec2, WidgetInfo, pos2, vec2};
+use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 use web_time::Instant;
 
@@ -88,7 +90,7 @@ impl PartialEq for MapKey {
 pub struct Chart {
     plot: Canvas<PlotKey>,
     map: Canvas<MapKey>,
-    job: Option<(MapOf, Background<Arc<HeatMap>>)>,
+    job: Option<(MapOf, Background<HeatMap>)>,
     known: Option<(MapOf, Arc<HeatMap>)>,
 }
 
@@ -155,18 +157,14 @@ impl Chart {
         let is_known = self.known.as_ref().is_some_and(|(known, _)| known == of);
         let is_asked = self.job.as_ref().is_some_and(|(asked, _)| asked == of);
         if !is_known && !is_asked {
-            let (asked, whole) = (of.clone(), Arc::clone(whole));
-            let job = Background::start(ui.ctx(), "map", move |progress, publish| {
-                if let Some(map) = worked_out(&asked, &whole, progress) {
-                    publish(Arc::new(map));
-                }
-            });
+            let scene = Arc::new(looked_at(of, whole));
+            let job = of.task().and_then(|task| task::begin(ui.ctx(), &scene, task));
             self.job = job.map(|job| (of.clone(), job));
         }
         let Some((asked, job)) = &self.job else { return };
         match job.take() {
             Some(map) => {
-                self.known = Some((asked.clone(), map));
+                self.known = Some((asked.clone(), Arc::new(map)));
                 self.job = None;
             }
             None => ui.ctx().request_repaint_after(std::time::Duration::from_millis(100)),
@@ -182,19 +180,43 @@ fn looked_at(of: &MapOf, whole: &Scene) -> Scene {
     scene
 }
 
-fn worked_out(of: &MapOf, whole: &Scene, progress: &Progress) -> Option<HeatMap> {
-    let (point, scene) = (of.point()?, looked_at(of, whole));
-    let mut map = match of.kind {
-        MapKind::Error => error_map(&point.picture, &of.study.reference.picture),
-        MapKind::Digits => digits_map(&scene, progress),
-        MapKind::Tier => tier_map(&scene, progress),
-        MapKind::Time => {
-            let began = Instant::now();
-            time_map(&scene, &|| began.elapsed(), progress)
+/// To work out a map of a scene.
+#[derive(Serialize, Deserialize)]
+pub struct MapAccuracy {
+    kind: MapKind,
+    /// The setting that the scene is looked at with.
+    name: String,
+    /// Its picture and the reference, where they are compared.
+    pictures: Option<[Picture; 2]>,
+}
+
+impl MapOf {
+    fn task(&self) -> Option<MapAccuracy> {
+        let point = self.point()?;
+        let pictures = || [point.picture.clone(), self.study.reference.picture.clone()];
+        let pictures = (self.kind == MapKind::Error).then(pictures);
+        Some(MapAccuracy { kind: self.kind, name: point.plain_name(), pictures })
+    }
+}
+
+impl Task for MapAccuracy {
+    const NAME: &'static str = "accuracy map";
+    type News = HeatMap;
+
+    fn run(self, scene: &Arc<Scene>, progress: &Progress, publish: &mut dyn FnMut(HeatMap)) {
+        let map = match self.kind {
+            MapKind::Error => self.pictures.and_then(|[picture, reference]| error_map(&picture, &reference)),
+            MapKind::Digits => digits_map(scene, progress),
+            MapKind::Tier => tier_map(scene, progress),
+            MapKind::Time => {
+                let began = Instant::now();
+                time_map(scene, &|| began.elapsed(), progress)
+            }
+        };
+        if let Some(map) = map {
+            publish(HeatMap { title: format!("{}: {}", map.title, self.name), ..map });
         }
-    }?;
-    map.title = format!("{}: {}", map.title, point.plain_name());
-    Some(map)
+    }
 }
 
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a window is a few thousand points")]

@@ -4,12 +4,15 @@ use crate::app::accuracy::chart::{Chart, MapOf, View};
 use crate::app::accuracy::pane::Wish;
 use crate::app::accuracy::point::{Shown, chosen_point, list};
 use crate::app::frame::background::Background;
+use crate::app::frame::task::{self, Task};
 use crate::app::frame::words::{say, say_with};
 use crate::app::workbench::OpenScene;
 use crate::cpu_time;
 use crate::laboratory::{MapKind, NoStore, Plan, Study, Tools, study};
 use crate::scene::Scene;
+use crate::trace::Progress;
 use egui::{Button, Context, Rect, ScrollArea, Ui, UiBuilder, vec2};
+use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 use std::time::Duration;
 use web_time::Instant;
@@ -26,7 +29,7 @@ const COLUMN: f32 = 330.0;
 /// What is remembered of the image between frames.
 #[derive(Default)]
 pub struct ImageScope {
-    job: Option<Background<Arc<Study>>>,
+    job: Option<Background<Study>>,
     study: Option<Arc<Study>>,
     is_complete: bool,
     /// The name of the chosen setting; none for the scene as it stands.
@@ -46,7 +49,7 @@ impl ImageScope {
     /// How far the study is, in words.
     pub fn state(&self, ctx: &Context) -> String {
         let count = |study: &Study| study.all().count();
-        let seconds = |job: &Background<Arc<Study>>| format!("{:.0}", job.seconds());
+        let seconds = |job: &Background<Study>| format!("{:.0}", job.seconds());
         match (&self.job, &self.study) {
             (Some(job), None) => say_with(ctx, "accuracy-rendering", &[("seconds", (&seconds(job)).into())]),
             (Some(job), Some(study)) => {
@@ -110,15 +113,12 @@ impl ImageScope {
     /// Measures the scene once, and takes what there is of it.
     fn measure(&mut self, ui: &Ui, whole: &Arc<Scene>) {
         if self.study.is_none() && self.job.is_none() {
-            let scene = Arc::clone(whole);
-            self.job = Background::start(ui.ctx(), "accuracy", move |progress, publish| {
-                run(&scene, progress, publish);
-            });
+            self.job = task::begin(ui.ctx(), whole, MeasureAccuracy);
         }
         let Some(job) = &self.job else { return };
         let finished = job.is_finished();
         if let Some(study) = job.take() {
-            self.study = Some(study);
+            self.study = Some(Arc::new(study));
         }
         if finished {
             (self.job, self.is_complete) = (None, true);
@@ -137,13 +137,26 @@ const MAPS: [(MapKind, &str); 4] = [
     (MapKind::Time, "accuracy-map-time"),
 ];
 
+/// To measure what accuracy costs in a scene.
+#[derive(Serialize, Deserialize)]
+pub struct MeasureAccuracy;
+
+impl Task for MeasureAccuracy {
+    const NAME: &'static str = "accuracy";
+    type News = Study;
+
+    fn run(self, scene: &Arc<Scene>, progress: &Progress, publish: &mut dyn FnMut(Study)) {
+        run(scene, progress, publish);
+    }
+}
+
 /// Runs a study; publishes what is known now and then, and the end.
-fn run(scene: &Scene, progress: &crate::trace::Progress, publish: &mut dyn FnMut(Arc<Study>)) {
+fn run(scene: &Scene, progress: &Progress, publish: &mut dyn FnMut(Study)) {
     let plan = Plan { width: WIDTH, budget: BUDGET, ..Plan::default() };
     let mut last: Option<Instant> = None;
     let mut watch = |known: &dyn Fn() -> Study| {
         if last.is_none_or(|last| last.elapsed() >= BETWEEN) {
-            publish(Arc::new(known()));
+            publish(known());
             last = Some(Instant::now());
         }
     };
@@ -151,7 +164,7 @@ fn run(scene: &Scene, progress: &crate::trace::Progress, publish: &mut dyn FnMut
     let tools = Tools { stopwatch: &mut stopwatch, store: &mut store, progress, watch: &mut watch };
     let run = study(scene, &plan, None, tools);
     if let Some(run) = run {
-        publish(Arc::new(run.study));
+        publish(run.study);
     }
 }
 

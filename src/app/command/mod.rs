@@ -23,6 +23,7 @@ pub use share::ShareCommand;
 pub use step::StepCommand;
 pub use view::ViewCommand;
 
+use crate::app::pane::Pane;
 use crate::app::workbench::Workbench;
 use egui::{Context, Event, KeyboardShortcut};
 
@@ -98,6 +99,9 @@ macro_rules! areas {
             /// Whether there is anything for it to do.
             #[must_use]
             pub fn is_possible(self, workbench: &Workbench) -> bool {
+                if workbench.is_read_only() && self.leaves_what_is_shown() {
+                    return false;
+                }
                 match self { $(Self::$area(command) => command.is_possible(workbench)),+ }
             }
 
@@ -132,6 +136,15 @@ impl Command {
     #[must_use]
     pub fn all() -> Vec<Self> {
         Self::areas().into_iter().flat_map(|(_, commands)| commands).collect()
+    }
+
+    /// Whether it changes the scene or goes to another one, which a step within somebody's page does not.
+    fn leaves_what_is_shown(self) -> bool {
+        match self {
+            Self::Scene(_) | Self::Edit(_) | Self::Lesson(_) | Self::Share(ShareCommand::OpenLink) => true,
+            Self::View(ViewCommand::Pane(pane)) => [Pane::Editor, Pane::Properties, Pane::Lesson].contains(&pane),
+            _ => false,
+        }
     }
 }
 

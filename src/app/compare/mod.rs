@@ -2,7 +2,7 @@
 
 mod foreign;
 pub mod pane;
-mod pictures;
+pub mod pictures;
 mod pin;
 mod rows;
 mod stories;

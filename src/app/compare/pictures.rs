@@ -2,6 +2,7 @@
 
 use super::pin::Pin;
 use crate::app::frame::background::Background;
+use crate::app::frame::task::{self, Task};
 use crate::app::frame::theme::Palette;
 use crate::app::frame::words::{say, say_with};
 use crate::app::picture::thumbnail::texture;
@@ -13,6 +14,7 @@ use egui::{
     Color32, Context, CursorIcon, EventFilter, Key, Rect, Role, Sense, Stroke, StrokeKind, TextureHandle, Ui,
     WidgetInfo, pos2, vec2,
 };
+use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
 /// Columns of the pictures: few enough that both are there within seconds, enough to see what differs.
@@ -20,11 +22,24 @@ const COLUMNS: u32 = 360;
 /// How far a key moves the slider.
 const KEY_STEP: f32 = 0.02;
 
-/// The pictures of two scenes.
-struct Both {
-    left: Picture,
-    right: Picture,
-    difference: Option<PictureDifference>,
+/// To render a scene at one go.
+#[derive(Serialize, Deserialize)]
+pub struct RenderWhole;
+
+impl Task for RenderWhole {
+    const NAME: &'static str = "whole picture";
+    type News = Picture;
+
+    fn run(self, scene: &Arc<Scene>, progress: &Progress, publish: &mut dyn FnMut(Picture)) {
+        publish(render(scene, progress).0);
+    }
+}
+
+/// Two pictures that are being rendered.
+struct Running {
+    scenes: [Arc<Scene>; 2],
+    work: [Background<Picture>; 2],
+    pictures: [Option<Picture>; 2],
 }
 
 struct Shown {
@@ -38,7 +53,7 @@ struct Shown {
 /// The pictures that are shown, and those that are being rendered.
 pub struct Pictures {
     shown: Option<Shown>,
-    running: Option<([Arc<Scene>; 2], Background<Both>)>,
+    running: Option<Running>,
     /// Where the slider stands, from 0 to 1.
     share: f32,
     is_amplified: bool,
@@ -80,23 +95,13 @@ impl Pictures {
 
     fn update(&mut self, ctx: &Context, scenes: [&Arc<Scene>; 2]) {
         let is_of = |known: &[Arc<Scene>; 2]| std::iter::zip(known, scenes).all(|(a, b)| Arc::ptr_eq(a, b));
-        if let Some((rendered, job)) = &self.running
-            && let Some(both) = job.take()
-        {
-            self.shown = Some(shown(ctx, rendered.clone(), &both));
-            self.running = None;
+        if let Some(shown) = self.running.as_mut().and_then(|running| running.shown(ctx)) {
+            (self.shown, self.running) = (Some(shown), None);
         }
         let is_known = self.shown.as_ref().is_some_and(|shown| is_of(&shown.scenes));
-        let is_running = self.running.as_ref().is_some_and(|(running, _)| is_of(running));
+        let is_running = self.running.as_ref().is_some_and(|running| is_of(&running.scenes));
         if !is_known && !is_running {
-            let scenes = scenes.map(Arc::clone);
-            let work = scenes.clone();
-            let job = Background::start(ctx, "pictures", move |progress, publish| {
-                if let Some(both) = both(&work, progress) {
-                    publish(both);
-                }
-            });
-            self.running = job.map(|job| (scenes, job));
+            self.running = Running::start(ctx, scenes);
             self.shown = None;
         }
     }
@@ -138,10 +143,27 @@ impl Pictures {
     }
 }
 
-fn both(scenes: &[Arc<Scene>; 2], progress: &Progress) -> Option<Both> {
-    let [left, right] = [&scenes[0], &scenes[1]].map(|scene| render(&smaller(scene), progress).0);
-    let difference = picture_difference(&left, &right);
-    (!progress.cancelled()).then_some(Both { left, right, difference })
+impl Running {
+    fn start(ctx: &Context, scenes: [&Arc<Scene>; 2]) -> Option<Self> {
+        let [left, right] = scenes.map(|scene| task::begin(ctx, &Arc::new(smaller(scene)), RenderWhole));
+        Some(Self { scenes: scenes.map(Arc::clone), work: [left?, right?], pictures: [None, None] })
+    }
+
+    /// Both, once they are there.
+    fn shown(&mut self, ctx: &Context) -> Option<Shown> {
+        for (picture, work) in self.pictures.iter_mut().zip(&self.work) {
+            *picture = work.take().or(picture.take());
+        }
+        let [Some(left), Some(right)] = &self.pictures else { return None };
+        let difference = picture_difference(left, right);
+        Some(Shown {
+            scenes: self.scenes.clone(),
+            left: texture(ctx, "compare left", left),
+            right: texture(ctx, "compare right", right),
+            amplified: difference.as_ref().map(|found| texture(ctx, "compare amplified", &found.amplified)),
+            difference,
+        })
+    }
 }
 
 /// The scene with a picture of few columns.
@@ -151,16 +173,6 @@ fn smaller(scene: &Scene) -> Scene {
     let rows = u64::from(height) * u64::from(columns) / u64::from(width.max(1));
     let image = Image { width: columns, height: u32::try_from(rows).unwrap_or(height).max(1) };
     Scene { image, ..scene.clone() }
-}
-
-fn shown(ctx: &Context, scenes: [Arc<Scene>; 2], both: &Both) -> Shown {
-    Shown {
-        scenes,
-        left: texture(ctx, "compare left", &both.left),
-        right: texture(ctx, "compare right", &both.right),
-        amplified: both.difference.as_ref().map(|found| texture(ctx, "compare amplified", &found.amplified)),
-        difference: both.difference.clone(),
-    }
 }
 
 /// Room for a picture, as large as the panel allows.

@@ -33,7 +33,7 @@ pub struct EffectsPane {
 
 /// A ledger, ready to be shown.
 struct Shown {
-    ledger: Arc<Ledger>,
+    ledger: Ledger,
     /// For each row the picture without the effect and how it differs, with the largest difference of a channel.
     pictures: Vec<Option<(TextureHandle, TextureHandle, u8)>>,
 }

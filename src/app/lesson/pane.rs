@@ -21,7 +21,7 @@ use std::sync::Arc;
 #[derive(Default)]
 pub struct LessonPane {
     pub(super) school: Option<School>,
-    pub(super) open: Option<OpenLesson>,
+    pub(in crate::app) open: Option<OpenLesson>,
     /// What a student has done.
     pub progress: Progress,
     pub(super) formulas: Formulas,

@@ -1,16 +1,17 @@
 //! A search of the picture in the background, and the list of what it has found.
 
-use super::layer;
+use super::layer::{self, Pixels};
 use crate::app::frame::background::Background;
+use crate::app::frame::task::{self, Task};
 use crate::app::frame::theme::Palette;
 use crate::app::frame::words::{say, say_with};
 use crate::query::{FIRST_SIDE, Found, Query, Search, scan};
 use crate::record::EventId;
 use crate::scene::Scene;
+use crate::trace::Progress;
 use egui::text::{LayoutJob, TextWrapping};
-use egui::{
-    Align2, Button, ColorImage, Context, FontId, Rect, Role, ScrollArea, Sense, TextureHandle, Ui, WidgetInfo, vec2,
-};
+use egui::{Align2, Button, Context, FontId, Rect, Role, ScrollArea, Sense, TextureHandle, Ui, WidgetInfo, vec2};
+use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
 /// Height of a row, in points.
@@ -20,13 +21,38 @@ const ROW: f32 = 22.0;
 pub struct Asked {
     query: Query,
     scene: Arc<Scene>,
-    job: Option<Background<(Search, ColorImage)>>,
+    job: Option<Background<News>>,
     search: Option<Search>,
     texture: Option<TextureHandle>,
     /// The result that was gone to last.
     at: Option<usize>,
     /// Whether the list is to scroll to it.
     has_moved: bool,
+}
+
+/// To ask every pixel of a scene.
+#[derive(Serialize, Deserialize)]
+pub struct Find {
+    query: Query,
+}
+
+/// What was found so far, with the layer over the picture.
+#[derive(Serialize, Deserialize)]
+pub struct News {
+    search: Search,
+    pixels: Pixels,
+}
+
+impl Task for Find {
+    const NAME: &'static str = "search";
+    type News = News;
+
+    fn run(self, scene: &Arc<Scene>, progress: &Progress, publish: &mut dyn FnMut(News)) {
+        scan(scene, &self.query, FIRST_SIDE, progress, |search| {
+            let pixels = layer::found(&search);
+            publish(News { search, pixels });
+        });
+    }
 }
 
 /// A pixel to be recorded, and the event in it to be selected.
@@ -47,13 +73,7 @@ impl Drop for Asked {
 impl Asked {
     /// Begins to search.
     pub fn start(ctx: &Context, query: &Query, scene: &Arc<Scene>) -> Self {
-        let (asked, whole) = (query.clone(), Arc::clone(scene));
-        let job = Background::start(ctx, "search", move |progress, publish| {
-            scan(&whole, &asked, FIRST_SIDE, progress, |search| {
-                let image = layer::found(&search);
-                publish((search, image));
-            });
-        });
+        let job = task::begin(ctx, scene, Find { query: query.clone() });
         let (query, scene) = (query.clone(), Arc::clone(scene));
         Self { query, scene, job, search: None, texture: None, at: None, has_moved: false }
     }
@@ -72,11 +92,11 @@ impl Asked {
     pub fn update(&mut self, ctx: &Context) {
         let Some(job) = &self.job else { return };
         let is_finished = job.is_finished();
-        if let Some((search, image)) = job.take() {
+        if let Some(News { search, pixels }) = job.take() {
             // What was gone to keeps its place in the list, which grows.
             let pixel = self.at.and_then(|at| self.results().get(at)).map(|found| found.pixel);
             self.at = pixel.and_then(|pixel| search.found.iter().position(|found| found.pixel == pixel));
-            self.texture = Some(layer::upload(ctx, "found", image));
+            self.texture = Some(layer::upload(ctx, "found", &pixels));
             layer::drop_elsewhere(self.search.replace(search));
         }
         if is_finished {

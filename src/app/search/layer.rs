@@ -5,6 +5,7 @@ use crate::app::system;
 use crate::query::Search;
 use crate::view::{HeatMap, Theme};
 use egui::{Color32, ColorImage, Context, TextureFilter, TextureHandle, TextureOptions};
+use serde::{Deserialize, Serialize};
 
 /// Something over the picture, in its size.
 pub struct Layer {
@@ -14,6 +15,20 @@ pub struct Layer {
     pub tint: Color32,
 }
 
+/// The pixels of a layer, as data.
+#[derive(Serialize, Deserialize)]
+pub struct Pixels {
+    size: [usize; 2],
+    /// Four bytes each: red, green and blue, each times alpha, and alpha.
+    rgba: Vec<u8>,
+}
+
+impl From<ColorImage> for Pixels {
+    fn from(image: ColorImage) -> Self {
+        Self { size: image.size, rgba: image.as_raw().to_vec() }
+    }
+}
+
 /// The hatching of pixels that were found: light and dark by turns, so that it is seen on any picture.
 const LIGHT: Color32 = Color32::from_rgba_premultiplied(230, 230, 230, 230);
 const DARK: Color32 = Color32::from_rgba_premultiplied(10, 10, 16, 200);
@@ -21,7 +36,7 @@ const DARK: Color32 = Color32::from_rgba_premultiplied(10, 10, 16, 200);
 const LINES: u32 = 64;
 
 /// The pixels that were found: an outline, and lines across where there is room for them.
-pub fn found(search: &Search) -> ColorImage {
+pub fn found(search: &Search) -> Pixels {
     let [width, height] = search.grid.size;
     let matches = |x: i64, y: i64| {
         let inside = u32::try_from(x).ok().zip(u32::try_from(y).ok());
@@ -42,19 +57,19 @@ pub fn found(search: &Search) -> ColorImage {
         }
     };
     let pixels = (0..height).flat_map(|y| (0..width).map(move |x| (x, y))).map(|(x, y)| pixel(x, y)).collect();
-    ColorImage::new([width, height].map(|side| side as usize), pixels)
+    ColorImage::new([width, height].map(|side| side as usize), pixels).into()
 }
 
 /// A map in its colours.
-pub fn map(map: &HeatMap, theme: Theme) -> ColorImage {
-    ColorImage::new(map.size, map.colours(theme).into_iter().map(colour).collect())
+pub fn map(map: &HeatMap, theme: Theme) -> Pixels {
+    ColorImage::new(map.size, map.colours(theme).into_iter().map(colour).collect()).into()
 }
 
 /// Puts a layer where it can be drawn from.
-pub fn upload(ctx: &Context, name: &str, image: ColorImage) -> TextureHandle {
+pub fn upload(ctx: &Context, name: &str, pixels: &Pixels) -> TextureHandle {
     // Large pixels have sharp edges; where several are one on screen, each has its share.
     let options = TextureOptions { minification: TextureFilter::Linear, ..TextureOptions::NEAREST };
-    ctx.load_texture(name, image, options)
+    ctx.load_texture(name, ColorImage::from_rgba_premultiplied(pixels.size, &pixels.rgba), options)
 }
 
 /// Drops what may be large, in a thread of its own: that can take longer than a frame has.

@@ -1,17 +1,18 @@
 //! Maps: a quantity of every pixel, over the picture and with its legend in the panel.
 
 use super::found::Place;
-use super::layer::{self, Layer};
+use super::layer::{self, Layer, Pixels};
 use crate::app::drawings::canvas::Canvas;
 use crate::app::frame::background::Background;
+use crate::app::frame::task::{self, Task};
 use crate::app::frame::theme::drawing_theme;
 use crate::app::frame::words::{say, say_with};
 use crate::query::{FIRST_SIDE, Quantity, Survey, survey};
 use crate::scene::Scene;
+use crate::trace::Progress;
 use crate::view::{HeatMap, Theme, heat_map};
-use egui::{
-    Color32, ColorImage, Context, Pos2, Rect, RichText, Role, Sense, Slider, TextureHandle, Ui, WidgetInfo, pos2, vec2,
-};
+use egui::{Color32, Context, Pos2, Rect, RichText, Role, Sense, Slider, TextureHandle, Ui, WidgetInfo, pos2, vec2};
+use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 use web_time::Instant;
 
@@ -36,15 +37,39 @@ struct Job {
 
 /// What is known of a quantity.
 struct Known {
+    scene: Arc<Scene>,
     survey: Survey,
     map: Arc<HeatMap>,
 }
 
-/// What is known of a quantity, with the layer over the picture.
-struct Mapped {
-    known: Known,
+/// To survey a scene.
+#[derive(Serialize, Deserialize)]
+pub struct Map {
+    quantity: Quantity,
     theme: Theme,
-    image: ColorImage,
+}
+
+/// What is known of a quantity, with the layer over the picture.
+#[derive(Serialize, Deserialize)]
+pub struct Mapped {
+    survey: Survey,
+    map: HeatMap,
+    pixels: Pixels,
+    theme: Theme,
+}
+
+impl Task for Map {
+    const NAME: &'static str = "map";
+    type News = Mapped;
+
+    fn run(self, scene: &Arc<Scene>, progress: &Progress, publish: &mut dyn FnMut(Mapped)) {
+        let (began, theme) = (Instant::now(), self.theme);
+        survey(scene, self.quantity, FIRST_SIDE, &|| began.elapsed(), progress, |survey| {
+            let map = survey.map(scene);
+            let pixels = layer::map(&map, theme);
+            publish(Mapped { survey, map, pixels, theme });
+        });
+    }
 }
 
 /// What the drawing depends on.
@@ -91,7 +116,7 @@ impl Maps {
     /// Begins a survey where one is wanted, and takes what is known of it.
     pub fn update(&mut self, ctx: &Context, scene: &Arc<Scene>) {
         let Some(quantity) = self.quantity else { return };
-        let is_known = |known: &Known| known.survey.quantity == quantity && Arc::ptr_eq(&known.survey.scene, scene);
+        let is_known = |known: &Known| known.survey.quantity == quantity && Arc::ptr_eq(&known.scene, scene);
         let is_at_work =
             self.job.as_ref().is_some_and(|job| job.quantity == quantity && Arc::ptr_eq(&job.scene, scene));
         let is_complete = self.known.as_ref().is_some_and(|known| is_known(known) && known.survey.is_complete());
@@ -100,8 +125,9 @@ impl Maps {
         }
         let Some(job) = &self.job else { return };
         let is_finished = job.work.is_finished();
-        if let Some(Mapped { known, theme, image }) = job.work.take() {
-            self.over = Some((theme, layer::upload(ctx, "map", image)));
+        if let Some(Mapped { survey, map, pixels, theme }) = job.work.take() {
+            self.over = Some((theme, layer::upload(ctx, "map", &pixels)));
+            let known = Known { scene: Arc::clone(&job.scene), survey, map: Arc::new(map) };
             layer::drop_elsewhere(self.known.replace(known));
         }
         if is_finished {
@@ -121,7 +147,7 @@ impl Maps {
         let theme = drawing_theme(ctx);
         let map = &self.known.as_ref()?.map;
         if self.over.as_ref().is_none_or(|(of, _)| *of != theme) {
-            self.over = Some((theme, layer::upload(ctx, "map", layer::map(map, theme))));
+            self.over = Some((theme, layer::upload(ctx, "map", &layer::map(map, theme))));
         }
         let tint = Color32::WHITE.gamma_multiply(self.opacity);
         self.over.as_ref().map(|(_, texture)| Layer { texture: texture.clone(), tint })
@@ -129,7 +155,8 @@ impl Maps {
 
     /// What the map says of a pixel.
     pub fn told(&self, pixel: [u32; 2]) -> Option<String> {
-        self.known.as_ref()?.survey.told(pixel)
+        let known = self.known.as_ref()?;
+        known.survey.told(&known.scene, pixel)
     }
 
     /// Shows the quantities and the map; returns the pixel that was clicked in it.
@@ -199,15 +226,7 @@ impl Maps {
 }
 
 fn start(ctx: &Context, quantity: Quantity, scene: &Arc<Scene>) -> Option<Job> {
-    let (whole, theme) = (Arc::clone(scene), drawing_theme(ctx));
-    let work = Background::start(ctx, "map", move |progress, publish| {
-        let began = Instant::now();
-        survey(&whole, quantity, FIRST_SIDE, &|| began.elapsed(), progress, |survey| {
-            let map = Arc::new(survey.map());
-            let image = layer::map(&map, theme);
-            publish(Mapped { known: Known { survey, map }, theme, image });
-        });
-    })?;
+    let work = task::begin(ctx, scene, Map { quantity, theme: drawing_theme(ctx) })?;
     Some(Job { quantity, scene: Arc::clone(scene), work })
 }
 

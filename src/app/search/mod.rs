@@ -1,8 +1,8 @@
 //! Finding pixels by what happened to their rays, and maps of what every pixel is and costs.
 
 mod field;
-mod found;
+pub mod found;
 mod help;
 mod layer;
-mod maps;
+pub mod maps;
 pub mod pane;

@@ -13,3 +13,4 @@ pub mod stepping;
 pub mod timeline;
 mod toolbar;
 mod tree;
+pub mod until;

@@ -2,11 +2,13 @@
 
 use super::recorder::{Recorded, Recorder, Wanted};
 use super::recording::Recording;
+use super::until::Until;
 use crate::app::frame::background::Background;
+use crate::app::frame::task;
 use crate::app::pane::Pane;
 use crate::app::workbench::Workbench;
 use crate::record::EventId;
-use crate::story::{Breakpoints, Cut, Filter, Level, Player, Step, next_pixel};
+use crate::story::{Breakpoints, Cut, Filter, Level, Player, Step};
 use crate::trace::RayTree;
 use egui::Context;
 use std::sync::Arc;
@@ -277,11 +279,9 @@ impl Workbench {
             self.stepping.drawer = Some(Drawer::Breakpoints);
             return;
         }
-        let (scene, from) = (Arc::clone(&open.scene), recording.pixel);
+        let until = Until { from: recording.pixel, questions };
+        self.stepping.until = task::begin(&self.ctx(), &open.scene, until);
         self.stepping.note = None;
-        self.stepping.until = Background::start(&self.ctx(), "until", move |progress, publish| {
-            publish(next_pixel(&scene, from, &questions, progress));
-        });
     }
 
     /// Goes to the n-th step of this level and filter, counted from 1; returns whether there is one.

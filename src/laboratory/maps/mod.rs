@@ -13,6 +13,7 @@ use crate::scene::{Image, Scene};
 use crate::trace::{Picture, Progress};
 use crate::view::{HeatMap, HeatScale};
 use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
 
 pub use digits::{digits_lost, digits_map, map_of_digits};
 pub use tier::tier_map;
@@ -22,7 +23,7 @@ pub use time::{Times, map_of_times, time_map, time_pixels};
 pub const TIMINGS: usize = 1 + time::PASSES;
 
 /// What is mapped.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum MapKind {
     /// The distance from the reference.
     Error,

@@ -6,6 +6,7 @@ use crate::record::NullRecorder;
 use crate::scene::{Scene, Sights};
 use crate::trace::{Progress, Tracer, trace_pixel_with};
 use crate::view::{HeatMap, HeatScale};
+use serde::{Deserialize, Serialize};
 use std::hint::black_box;
 use std::time::Duration;
 
@@ -21,7 +22,7 @@ const LEAST: Duration = Duration::from_micros(2);
 const MOST_RUNS: u32 = 64;
 
 /// What pixels take, as far as it is known.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Times {
     /// Nanoseconds, row by row from the top; a block of pixels has those of its upper left one until each has its own.
     pub values: Vec<f64>,

@@ -9,10 +9,11 @@ use crate::scene::{Scene, Sights};
 use crate::trace::{Progress, Tally, Tracer, TreeRecorder, trace_pixel_with};
 use crate::view::{Row, row};
 use needs::Need;
+use serde::{Deserialize, Serialize};
 use std::sync::{Mutex, PoisonError};
 
 /// A pixel in whose story a question holds of an event.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Found {
     /// The pixel.
     pub pixel: [u32; 2],
@@ -23,7 +24,7 @@ pub struct Found {
 }
 
 /// What a search has found so far.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Search {
     /// Whether each pixel matches.
     pub grid: Grid<bool>,

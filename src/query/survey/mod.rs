@@ -11,20 +11,18 @@ use crate::scene::{Scene, Sights};
 use crate::trace::{Progress, Tracer};
 use crate::view::{HeatMap, HeatScale, brief};
 use cell::{Cell, NOTHING};
+use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
-use std::sync::Arc;
 use std::time::Duration;
 
 /// Says how much time has passed.
 pub type Clock<'a> = &'a dyn Fn() -> Duration;
 
-/// A quantity of every pixel, as far as it is known.
-#[derive(Clone, Debug)]
+/// A quantity of every pixel of a scene, as far as it is known.
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Survey {
     /// What it is.
     pub quantity: Quantity,
-    /// The scene.
-    pub scene: Arc<Scene>,
     grid: Grid<Cell>,
     times: Option<Times>,
 }
@@ -32,14 +30,14 @@ pub struct Survey {
 /// Surveys a scene, coarse to fine from blocks of the given side. `on_pass` sees what is known after each pass. None if it was
 /// cancelled before the last. The clock is asked only for times, which are taken on one thread.
 pub fn survey(
-    scene: &Arc<Scene>,
+    scene: &Scene,
     quantity: Quantity,
     side: u32,
     clock: Clock,
     progress: &Progress,
     mut on_pass: impl FnMut(Survey),
 ) -> Option<Survey> {
-    let (scene, image) = (Arc::clone(scene), scene.image);
+    let image = scene.image;
     if quantity == Quantity::Time {
         let known = |times: &Times| {
             let grid = Grid {
@@ -47,14 +45,14 @@ pub fn survey(
                 cells: times.values.iter().map(|&ns| [ns, 0.0, 0.0]).collect(),
                 side: times.side,
             };
-            Survey { quantity, scene: Arc::clone(&scene), grid, times: Some(times.clone()) }
+            Survey { quantity, grid, times: Some(times.clone()) }
         };
-        let times = time_pixels(&scene, side, clock, progress, &mut |times| on_pass(known(times)))?;
+        let times = time_pixels(scene, side, clock, progress, &mut |times| on_pass(known(times)))?;
         return Some(known(&times));
     }
-    let sights = scene.shortcuts.sights.then(|| Sights::new(&scene));
-    let tracer = sights.as_ref().map_or(Tracer::new(&scene), |sights| Tracer::new(&scene).with_sights(sights));
-    let known = |grid: &Grid<Cell>| Survey { quantity, scene: Arc::clone(&scene), grid: grid.clone(), times: None };
+    let sights = scene.shortcuts.sights.then(|| Sights::new(scene));
+    let tracer = sights.as_ref().map_or(Tracer::new(scene), |sights| Tracer::new(scene).with_sights(sights));
+    let known = |grid: &Grid<Cell>| Survey { quantity, grid: grid.clone(), times: None };
     let ask = |pixel| cell::of(quantity, &tracer, pixel);
     let grid = ask_all(image, side, NOTHING, progress, ask, |grid| on_pass(known(grid)))?;
     Some(known(&grid))
@@ -74,7 +72,7 @@ impl Survey {
 
     /// The value of a pixel in words; none outside the picture. Where the pixel was not asked yet, that of its block.
     #[must_use]
-    pub fn told(&self, pixel: [u32; 2]) -> Option<String> {
+    pub fn told(&self, scene: &Scene, pixel: [u32; 2]) -> Option<String> {
         let cell = self.grid.at(pixel)?;
         if cell[0].is_nan() {
             return Some("nothing is hit".to_owned());
@@ -86,26 +84,21 @@ impl Survey {
             Quantity::Depth => format!("depth {number}"),
             Quantity::Time => format!("{number} ns"),
             Quantity::Error => format!("t ± {number}"),
-            Quantity::Object => self.object(cell[0]).to_owned(),
+            Quantity::Object => object(scene, cell[0]).to_owned(),
             Quantity::Normal => format!("normal {}", crate::view::brief_vector(cell)),
             Quantity::Digits if cell[0].is_infinite() => "a hit is lost or made up".to_owned(),
             Quantity::Digits => format!("{number} digits lost"),
         })
     }
 
-    fn object(&self, place: f64) -> &str {
-        let name = self.scene.objects.iter().zip(0_u32..).find(|(_, k)| f64::from(*k) == place);
-        name.map_or("nothing", |(object, _)| object.name.as_str())
-    }
-
     /// The map of it, with its legend.
     #[must_use]
-    pub fn map(&self) -> HeatMap {
+    pub fn map(&self, scene: &Scene) -> HeatMap {
         let mut map = match (self.quantity, &self.times) {
-            (Quantity::Time, Some(times)) => map_of_times(&self.scene, times),
-            (Quantity::Digits, _) => map_of_digits(&self.scene, self.values().collect()),
-            (Quantity::Object, _) => self.map_of_objects(),
-            (Quantity::Normal, _) => self.map_of_normals(),
+            (Quantity::Time, Some(times)) => map_of_times(scene, times),
+            (Quantity::Digits, _) => map_of_digits(scene, self.values().collect()),
+            (Quantity::Object, _) => self.map_of_objects(scene),
+            (Quantity::Normal, _) => self.map_of_normals(scene),
             _ => self.map_of_numbers(),
         };
         if !self.is_complete() {
@@ -145,7 +138,7 @@ impl Survey {
     }
 
     /// The objects that are seen, by name, in the order of the list.
-    fn map_of_objects(&self) -> HeatMap {
+    fn map_of_objects(&self, scene: &Scene) -> HeatMap {
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "places in the list of objects")]
         let place = |value: f64| (!value.is_nan()).then_some(value as usize);
         let seen: Vec<usize> = self.values().filter_map(place).collect::<BTreeSet<_>>().into_iter().collect();
@@ -154,15 +147,15 @@ impl Survey {
             class.map_or(f64::NAN, |class| class as f64)
         };
         let mut map = self.plain(self.quantity.note());
-        map.scale = HeatScale::Kinds(seen.iter().map(|&place| self.scene.objects[place].name.clone()).collect());
+        map.scale = HeatScale::Kinds(seen.iter().map(|&place| scene.objects[place].name.clone()).collect());
         map.nothing = Some("nothing is hit".to_owned());
         map.values = self.values().map(class).collect();
         map
     }
 
     /// The normals as they are seen from the eye: to the right, up, and towards the eye.
-    fn map_of_normals(&self) -> HeatMap {
-        let camera = &self.scene.camera;
+    fn map_of_normals(&self, scene: &Scene) -> HeatMap {
+        let camera = &scene.camera;
         let axes = [camera.right, camera.up, -camera.forward];
         let seen = |cell: &Cell| axes.map(|axis| axis.dot(glam::DVec3::from_array(*cell)));
         let mut map = self.plain(self.quantity.note());
@@ -170,6 +163,12 @@ impl Survey {
         map.nothing = Some("nothing is hit".to_owned());
         map
     }
+}
+
+/// The name of an object by its place in the list.
+fn object(scene: &Scene, place: f64) -> &str {
+    let name = scene.objects.iter().zip(0_u32..).find(|(_, k)| f64::from(*k) == place);
+    name.map_or("nothing", |(object, _)| object.name.as_str())
 }
 
 fn plural(count: f64, noun: &str) -> String {

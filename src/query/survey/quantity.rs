@@ -1,7 +1,9 @@
 //! What can be surveyed.
 
+use serde::{Deserialize, Serialize};
+
 /// A quantity that every pixel has.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Quantity {
     /// How many rays it sends, of all kinds.
     Rays,

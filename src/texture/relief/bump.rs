@@ -14,6 +14,7 @@ use super::site::Site;
 use crate::math::portable;
 use crate::record::{Binding, Bump as Record, Entry, Recorder, What};
 use glam::DVec3;
+use serde::{Deserialize, Serialize};
 
 /// How a surface is raised at a place, from whatever source.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -25,7 +26,7 @@ pub struct Rise {
 }
 
 /// How the normal of a raised surface is worked out.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub enum BumpDerivative {
     /// The terms b n_u and b n_v are dropped, as in Blinn's paper.
     #[default]

@@ -17,20 +17,27 @@ macro_rules! fonts {
 static FONTS: &[(&str, &[u8])] = &fonts![
     "Main-Regular",
     "Main-Bold",
-    "Main-Italic",
     "Math-Italic",
-    "Math-BoldItalic",
-    "AMS-Regular",
     "Size1-Regular",
     "Size2-Regular",
     "Size3-Regular",
     "Size4-Regular",
-    // Browsers show the course alone, which has no formula in these.
+    // Browsers show the course alone, which has no formula in those that follow.
+    #[cfg(not(target_arch = "wasm32"))]
+    "Main-Italic",
+    #[cfg(not(target_arch = "wasm32"))]
+    "Math-BoldItalic",
+    #[cfg(not(target_arch = "wasm32"))]
+    "AMS-Regular",
     #[cfg(not(target_arch = "wasm32"))]
     "Caligraphic-Regular",
     #[cfg(not(target_arch = "wasm32"))]
     "Typewriter-Regular",
 ];
+
+/// How many of the fonts of formulas there are in browsers, too: they come first, so the names of their letters begin with `k0` and
+/// so on.
+pub const FONTS_IN_BROWSERS: usize = 7;
 
 fn parsed() -> &'static [FontRef<'static>] {
     static PARSED: OnceLock<Vec<FontRef<'static>>> = OnceLock::new();

@@ -10,6 +10,7 @@ mod svg;
 mod tests;
 mod words;
 
+pub use letters::FONTS_IN_BROWSERS;
 pub use svg::SharedLetters;
 
 use super::drawing::{Form, Frame, Spot};

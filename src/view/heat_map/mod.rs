@@ -17,12 +17,13 @@ use super::palette::{Colour, Palette, Theme};
 use super::text::significant;
 use crate::math::portable;
 use colours::{Paint, SHADES};
+use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
 /// A value for each pixel.
 ///
 /// A value that is not a number means that there is nothing to tell; an infinite one that it is off the scale.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct HeatMap {
     /// One line.
     pub title: String,
@@ -45,7 +46,7 @@ pub struct HeatMap {
 }
 
 /// How values become colours.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum HeatScale {
     /// From one value to another. What lies outside has the colour of the nearer end.
     Linear([f64; 2]),

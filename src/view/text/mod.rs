@@ -32,7 +32,8 @@ mod tests {
         let mut text = tree_text(&tree);
         for event in &tree.events {
             let row = row(event);
-            text.extend([row.icon, &row.label, &row.numbers, detail(event).explanation]);
+            text.push(row.icon);
+            text.extend([&row.label, &row.numbers, detail(event).explanation]);
         }
         for face in [Face::Sans, Face::Mono] {
             let missing: String = text.chars().filter(|&c| c != '\n' && !has_glyph(face, c)).collect();

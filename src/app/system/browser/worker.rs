@@ -1,8 +1,15 @@
 //! In a worker: tasks are done one by one as they come, and their news posted back.
 
 use super::digest::Digests;
+use crate::app::accuracy::chart::MapAccuracy;
+use crate::app::accuracy::image::MeasureAccuracy;
+use crate::app::compare::pictures::RenderWhole;
+use crate::app::effects::job::MeasureEffects;
 use crate::app::frame::task::Task;
 use crate::app::picture::renderer::Render;
+use crate::app::search::found::Find;
+use crate::app::search::maps::Map;
+use crate::app::story::until::Until;
 use crate::folder::{Outside, files_of_scene};
 use crate::scene::{Recipe, Scene};
 use crate::trace::Progress;
@@ -48,6 +55,13 @@ fn carry_out(message: &JsValue) -> Result<(), String> {
     let name = part("task").as_string().unwrap_or_default();
     match name.as_str() {
         Render::NAME => run::<Render>(&scene, &body),
+        RenderWhole::NAME => run::<RenderWhole>(&scene, &body),
+        Find::NAME => run::<Find>(&scene, &body),
+        Map::NAME => run::<Map>(&scene, &body),
+        Until::NAME => run::<Until>(&scene, &body),
+        MeasureEffects::NAME => run::<MeasureEffects>(&scene, &body),
+        MeasureAccuracy::NAME => run::<MeasureAccuracy>(&scene, &body),
+        MapAccuracy::NAME => run::<MapAccuracy>(&scene, &body),
         Digests::NAME => run::<Digests>(&scene, &body),
         other => Err(format!("no worker knows the task {other}")),
     }

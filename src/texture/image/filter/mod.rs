@@ -11,6 +11,7 @@ use super::texels::Texels;
 use super::wrap::Wraps;
 use crate::record::Recorder;
 use glam::{DVec2, DVec3};
+use serde::{Deserialize, Serialize};
 
 /// The most texels that a footprint may touch before it is taken to a coarser level of the pyramid. With fewer, the blocks of
 /// texels that stand for their texels would be seen at the edges of a long footprint; with more, a picture with a horizon
@@ -18,7 +19,7 @@ use glam::{DVec2, DVec3};
 const MOST_TOUCHED: f64 = 16384.0;
 
 /// A way to weigh texels.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Filter {
     /// The texel that the point lies in.
     Nearest,
