@@ -7,7 +7,7 @@ use egui::accesskit::Role;
 use egui::{Event, Key, Modifiers, Vec2};
 use egui_kittest::kittest::Queryable;
 use hands::*;
-use rayscope::app::{Command, HelpCommand, Pane, Preset, ViewCommand};
+use rayscope::app::{Command, EditCommand, HelpCommand, Pane, Preset, SceneCommand, ViewCommand};
 use rayscope::words::Language;
 
 fn press_with(bench: &mut Bench, modifiers: Modifiers, key: Key) {
@@ -167,6 +167,22 @@ fn every_command_of_the_menus_can_be_run_without_harm() {
         press(&mut bench, Key::Escape);
     }
     assert!(workbench(&bench).scene().is_some());
+}
+
+#[test]
+fn within_another_page_a_step_can_be_looked_at_but_not_changed() {
+    let mut bench = open("csg/bowl");
+    workbench_mut(&mut bench).embed(false);
+    settle(&mut bench);
+    let is_possible = |bench: &Bench, command: Command| command.is_possible(workbench(bench));
+    let changes = [SceneCommand::Open.into(), EditCommand::SaveAs.into(), ViewCommand::Pane(Pane::Editor).into()];
+    assert!(changes.iter().all(|command| !is_possible(&bench, *command)));
+    assert!(is_possible(&bench, ViewCommand::Pane(Pane::Signs).into()));
+    for tab in ["Scene file", "Properties"] {
+        assert!(bench.query_by_label(tab).is_none(), "{tab}");
+    }
+    press_with(&mut bench, Modifiers::NONE, Key::F2);
+    assert!(!workbench(&bench).dock().shows(Pane::Lesson));
 }
 
 #[test]

@@ -326,6 +326,16 @@ impl Workbench {
         }
     }
 
+    /// Stands in the frame of another page from now on. What a step is shown for are its story and its drawings; a lesson needs more.
+    pub fn embed(&mut self, shows_lesson: bool) {
+        self.is_embedded = true;
+        self.help = Help::None;
+        if !shows_lesson {
+            use Pane::{Accuracy, Compare, Editor, Effects, Lesson, Properties, Search};
+            self.dock.leave_out(&[Lesson, Properties, Editor, Search, Compare, Effects, Accuracy]);
+        }
+    }
+
     /// Whether it shows a step within somebody's page, and nothing else: a lesson is worked through there, too.
     #[must_use]
     pub const fn is_read_only(&self) -> bool {

@@ -120,6 +120,17 @@ impl Dock {
         self.alone = None;
     }
 
+    /// Leaves panels out of the layouts of few columns, until they are asked for.
+    pub fn leave_out(&mut self, panes: &[Pane]) {
+        for tree in &mut self.few_columns {
+            for pane in panes {
+                if let Some(tile) = tree.tiles.find_pane(pane) {
+                    tree.remove_recursively(tile);
+                }
+            }
+        }
+    }
+
     /// Whether a panel is somewhere in the layout, if only as a tab behind another.
     #[must_use]
     pub fn holds(&self, pane: Pane) -> bool {
@@ -327,6 +338,19 @@ mod tests {
         let windows = [[360.0, 740.0], [820.0, 1180.0], [740.0, 360.0], [1280.0, 800.0]];
         let rooms = [Room::OneColumn, Room::OneColumn, Room::TwoColumns, Room::Enough];
         assert_eq!(windows.map(|size| Room::of(size.into())), rooms);
+    }
+
+    #[test]
+    fn what_is_left_out_of_narrow_windows_is_there_when_it_is_asked_for() {
+        let mut dock = Dock::default();
+        dock.leave_out(&[Pane::Editor, Pane::Accuracy]);
+        assert!(dock.holds(Pane::Editor), "wide windows keep everything");
+        for room in [Room::OneColumn, Room::TwoColumns] {
+            dock.fit(room);
+            assert!(!dock.holds(Pane::Editor) && !dock.holds(Pane::Accuracy) && dock.holds(Pane::Story));
+            dock.reveal(Pane::Accuracy);
+            assert!(dock.shows(Pane::Accuracy));
+        }
     }
 
     #[test]

@@ -5,7 +5,6 @@ use super::address::Address;
 use super::asked::carry_out;
 use super::{Journals, host, worker};
 use crate::app::frame::background::Background;
-use crate::app::help::Help;
 use crate::app::window::{Start, Window};
 use crate::folder::Outside;
 use crate::scene::embedded_scene;
@@ -72,13 +71,12 @@ impl Page {
         let address = Address::default();
         let text = embedded_scene(FIRST).map_or_else(String::new, |scene| scene.text.to_owned());
         let link = address.link().map(Box::new);
+        let shows_lesson = link.as_ref().is_some_and(|link| link.lesson.is_some());
         let start = Start { name: FIRST.to_owned(), text, outside: Outside::Refused, link, lessons: None };
         let mut window = Window::new(creation, start);
-        window.workbench.is_embedded = host::property("embed").is_string();
-        if window.workbench.is_embedded {
-            window.workbench.help = Help::None;
-        }
-        if !window.workbench.is_embedded {
+        if host::property("embed").is_string() {
+            window.workbench.embed(shows_lesson);
+        } else {
             window.workbench.keep_edits(Journals::in_browser());
         }
         Self { window, address, account: Account::offered(), asked: listen(&creation.egui_ctx), digests: None }
