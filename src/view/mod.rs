@@ -73,7 +73,8 @@ pub use snell_diagram::snell_diagram;
 pub use svg::{escaped, svg};
 pub use text::{
     Detail, DetailLine, Row, beneath, brief, brief_vector, detail, equated, row, significant, span_list, tree_text,
+    untold_row,
 };
-pub use timeline::{TimelineScale, timeline, timeline_height};
+pub use timeline::{Timed, TimelineScale, timeline, timeline_height};
 pub use views::{ALL_VIEWS, Subject, View, primitive_behind, search_behind};
 pub use wireframe::{WireLine, Wireframe};

@@ -138,27 +138,37 @@ impl TimelineScale {
     }
 }
 
-/// The timeline of a tree. `stops` are where breakpoints stop, ascending; `selected` is marked, if it is given.
+/// What a timeline is of.
+#[derive(Clone, Copy, Debug)]
+pub struct Timed<'a> {
+    /// The tree.
+    pub tree: &'a RayTree,
+    /// The end of the events that are told: the room of the others stays empty.
+    pub told: EventId,
+    /// Where breakpoints stop, ascending.
+    pub stops: &'a [EventId],
+    /// The event that is marked, if any.
+    pub selected: Option<EventId>,
+}
+
+/// The timeline of a tree.
 #[must_use]
-pub fn timeline(
-    tree: &RayTree,
-    stops: &[EventId],
-    selected: Option<EventId>,
-    size: [f64; 2],
-    theme: Theme,
-) -> Option<Drawing> {
+pub fn timeline(timed: Timed, size: [f64; 2], theme: Theme) -> Option<Drawing> {
+    let Timed { tree, told, stops, selected } = timed;
     if tree.events.is_empty() {
         return None;
     }
     let palette = theme.palette();
     let drawing = Drawing::new(size, palette.ground);
     let scale = TimelineScale::new(drawing.width, tree.end());
-    let survey = Survey::of(tree, &scale);
+    let (told, stops) = (told.clamp(1, tree.end()), &stops[..stops.partition_point(|&stop| stop < told)]);
+    let survey = Survey::of(tree, told, &scale);
     let mut strip = Strip { tree, palette, scale, drawing, top: TOP };
     strip.stops(stops);
     strip.notable(&survey);
     strip.lanes(&survey);
     strip.axis();
+    strip.untold(told);
     if let Some(selected) = selected.filter(|&id| id < tree.end()) {
         strip.current(selected);
     }
@@ -203,14 +213,14 @@ struct Survey {
 }
 
 impl Survey {
-    fn of(tree: &RayTree, scale: &TimelineScale) -> Self {
+    fn of(tree: &RayTree, told: EventId, scale: &TimelineScale) -> Self {
         let mut survey = Self {
-            brackets: vec![Bracket { event: 0, end: tree.end(), kind: RayKind::Camera, lane: 0 }],
+            brackets: vec![Bracket { event: 0, end: told, kind: RayKind::Camera, lane: 0 }],
             notable: std::array::from_fn(|_| (0, vec![None; scale.slots(SIGN)])),
             bars: Vec::new(),
         };
-        let mut owners: Vec<u32> = Vec::with_capacity(tree.events.len());
-        for event in &tree.events {
+        let mut owners: Vec<u32> = Vec::with_capacity(told as usize);
+        for event in &tree.events[..told as usize] {
             let owner = survey.owner(event, &owners);
             owners.push(owner);
             survey.count(event, owner, scale);
@@ -396,6 +406,15 @@ impl Strip<'_> {
                 self.text([middle, baseline], number.to_string(), Anchor::Middle, ink, None);
                 free = middle + half + 8.0;
             }
+        }
+    }
+
+    /// A band over what is not told.
+    fn untold(&mut self, told: EventId) {
+        if told < self.tree.end() {
+            let frame = Frame { low: [self.scale.edge(told), 0.0], high: [self.scale.right, self.top] };
+            let fill = Some(self.palette.grid.faded(0.6));
+            self.drawing.put(Form::Rect { frame, fill, stroke: None }, None);
         }
     }
 

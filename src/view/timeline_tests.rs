@@ -44,8 +44,12 @@ fn many(rays: u32, limited: u32) -> RayTree {
     recorder.finish()
 }
 
+fn timed<'a>(tree: &'a RayTree, stops: &'a [EventId], selected: Option<EventId>) -> Timed<'a> {
+    Timed { tree, told: tree.end(), stops, selected }
+}
+
 fn drawn(tree: &RayTree) -> Drawing {
-    timeline(tree, &[], None, SIZE, Theme::Light).unwrap()
+    timeline(timed(tree, &[], None), SIZE, Theme::Light).unwrap()
 }
 
 fn signs(drawing: &Drawing, sign: &str) -> Vec<Option<EventId>> {
@@ -81,7 +85,7 @@ fn a_hundred_thousand_events_need_no_more_marks_than_there_is_room_for() {
 fn everything_stays_inside_at_every_size() {
     let tree = sample::every_kind();
     for size in [[200.0, 40.0], [300.0, 60.0], [600.0, 96.0], [1400.0, 160.0]] {
-        let drawing = timeline(&tree, &[1, 5], Some(3), size, Theme::Dark).unwrap();
+        let drawing = timeline(timed(&tree, &[1, 5], Some(3)), size, Theme::Dark).unwrap();
         for text in drawing.texts() {
             assert!(drawing.frame().holds(&text.frame()), "{size:?}: {} at {:?}", text.text, text.frame());
             assert!(text.text.chars().all(|c| has_glyph(Face::Sans, c)), "{}", text.text);
@@ -135,7 +139,7 @@ fn a_ray_is_a_bracket_over_its_own_events() {
 #[test]
 fn breakpoints_and_the_current_place_are_marked() {
     let tree = many(20, 3);
-    let drawing = timeline(&tree, &[4, 30], Some(12), SIZE, Theme::Light).unwrap();
+    let drawing = timeline(timed(&tree, &[4, 30], Some(12)), SIZE, Theme::Light).unwrap();
     let flags = drawing.marks.iter().filter(|mark| matches!(mark.form, Form::Area { .. }));
     assert_eq!(flags.map(|mark| mark.event).collect::<Vec<_>>(), [Some(4), Some(30)]);
     assert_eq!(drawing.marks.last().unwrap().event, Some(12));
@@ -147,7 +151,7 @@ fn a_timeline_of_the_height_that_it_needs_fills_it_and_stays_within() {
     for rays in [1, 3, 40] {
         let tree = many(rays, 0);
         let height = timeline_height(&tree, false);
-        let drawing = timeline(&tree, &[], None, [600.0, height], Theme::Light).unwrap();
+        let drawing = timeline(timed(&tree, &[], None), [600.0, height], Theme::Light).unwrap();
         let baselines = drawing.marks.iter().filter_map(|mark| match &mark.form {
             Form::Text(text) => Some(text.at[1]),
             _ => None,
@@ -171,4 +175,16 @@ fn the_numbers_of_the_axis_stand_below_its_ticks() {
     });
     let top = numbers.fold(f64::INFINITY, f64::min);
     assert!(top.is_finite() && top > end, "a number from {top}, a tick to {end}");
+}
+
+#[test]
+fn nothing_is_said_of_events_that_are_not_told() {
+    let tree = many(20, 9);
+    let limit = tree.events.iter().find(|event| matches!(event.what, What::Limit { .. })).unwrap().id;
+    let drawn = |told: EventId| timeline(Timed { told, ..timed(&tree, &[4, 30], None) }, SIZE, Theme::Light).unwrap();
+    let (before, behind) = (drawn(limit), drawn(limit + 1));
+    assert_eq!(signs(&before, "⊘"), []);
+    assert_eq!(signs(&behind, "⊘"), [None, Some(limit)]);
+    assert!(before.marks.iter().all(|mark| mark.event < Some(limit)), "the flag at event 30 is not told either");
+    assert!(!before.description.contains("limit met"), "{}", before.description);
 }

@@ -95,7 +95,7 @@ impl Commands for LessonCommand {
             }
             Self::Next => workbench.go_to_step(step + 1),
             Self::Previous => workbench.go_to_step(step.saturating_sub(1)),
-            Self::Restage => workbench.set_stage(ctx),
+            Self::Restage => workbench.back_to_ray(ctx),
             Self::Check => workbench.check(ctx, question),
             Self::Hint => workbench.hint(question),
             Self::Reveal => workbench.reveal_answer(ctx, question),

@@ -8,7 +8,7 @@ use crate::app::frame::words::{say, say_with};
 use crate::document::{Cause, Guide, Place, Property, Section, Target, TargetKind, names_for, sheet, value_at};
 use crate::record::EventId;
 use crate::shape::Shape;
-use egui::{ComboBox, Grid, RichText, ScrollArea, Ui, UiBuilder, vec2};
+use egui::{Button, ComboBox, Grid, RichText, ScrollArea, Ui, UiBuilder, vec2};
 use serde_json::{Value, json};
 
 /// What the pane remembers between frames.
@@ -79,7 +79,7 @@ impl Editing {
             shown.response.labelled_by(label.id);
             add_menu(ui, &self.analysis.whole, wishes);
             let removable = self.target().filter(|target| is_removable(target));
-            let button = ui.add_enabled(removable.is_some(), egui::Button::new(say(ui.ctx(), "edit-remove")));
+            let button = ui.add_enabled(removable.is_some(), Button::new(say(ui.ctx(), "edit-remove")));
             if let Some(target) = removable.filter(|_| button.clicked()) {
                 let name = name_of(ui, target);
                 let cause = say_with(ui.ctx(), "edit-cause-remove", &[("thing", (&name).into())]);
@@ -90,21 +90,19 @@ impl Editing {
         ui.separator();
     }
 
-    /// What would be taken back, and what would be made again, by name.
+    /// What would be taken back, and what would be made again, by name. The line is there before there is anything to take back: if it
+    /// came with the first key that is typed into a field below, the fields would move, and this one would lose the focus.
     fn history(&self, ui: &mut Ui, wishes: &mut Vec<Wish>) {
-        let named = |word: &str, change: Option<&str>| {
-            change.map(|change| say_with(ui.ctx(), word, &[("change", change.into())]))
+        let button = |ui: &mut Ui, [word, named]: [&str; 2], change: Option<&str>| {
+            let named = |change: &str| say_with(ui.ctx(), named, &[("change", change.into())]);
+            let title = change.map_or_else(|| say(ui.ctx(), word), named);
+            ui.add_enabled(change.is_some(), Button::new(title).small()).clicked()
         };
-        let undo = named("edit-undo-named", self.document.undo_name());
-        let redo = named("edit-redo-named", self.document.redo_name());
-        if undo.is_none() && redo.is_none() {
-            return;
-        }
         ui.horizontal_wrapped(|ui| {
-            if undo.is_some_and(|title| ui.small_button(title).clicked()) {
+            if button(ui, ["edit-undo", "edit-undo-named"], self.document.undo_name()) {
                 wishes.push(Wish::Undo);
             }
-            if redo.is_some_and(|title| ui.small_button(title).clicked()) {
+            if button(ui, ["edit-redo", "edit-redo-named"], self.document.redo_name()) {
                 wishes.push(Wish::Redo);
             }
         });

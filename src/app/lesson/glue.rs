@@ -97,8 +97,13 @@ impl Workbench {
             Wish::Open(id) | Wish::Text(TextWish::Lesson(id)) => self.open_lesson(&id),
             Wish::List => self.lesson.close(),
             Wish::Step(step) => self.go_to_step(step),
-            Wish::Finish => self.lesson.finish(),
-            Wish::Restage => self.set_stage(ctx),
+            Wish::Finish => {
+                // Or it would be offered back when the program is killed later on, whatever is open then.
+                self.give_up_trials();
+                self.lesson.finish();
+            }
+            Wish::Restage => self.back_to_ray(ctx),
+            Wish::StartAgain => self.start_again(ctx),
             Wish::Text(TextWish::Select(event)) => {
                 if !self.seen_by_lesson().is_staged {
                     self.set_stage(ctx);
@@ -128,6 +133,8 @@ impl Workbench {
             pixel: chosen.map(|recording| recording.pixel),
             event: recording.filter(|_| is_staged).map(Recording::selected),
             is_staged,
+            is_tried: self.is_tried(),
+            is_aimed: self.is_aimed(),
             is_busy: is_judging || is_compiling,
         }
     }
@@ -157,14 +164,6 @@ impl Workbench {
         self.lesson = lesson;
         if let Some(link) = self.sharing.after_stage.take() {
             self.restore(ctx, &link);
-        }
-    }
-
-    /// What was tried out in the scene of one step is given up for the next one without a question: it belongs to nobody's file.
-    fn give_up_trials(&mut self) {
-        let goes_on = self.lesson.open.as_ref().is_some_and(|open| open.staged().is_some());
-        if goes_on && self.editing.is_staged && self.editing.file().is_none() {
-            self.editing.document.mark_saved();
         }
     }
 

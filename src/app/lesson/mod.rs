@@ -15,6 +15,7 @@ mod staged;
 mod step;
 mod text;
 mod told;
+mod trial;
 mod veil;
 mod watch;
 

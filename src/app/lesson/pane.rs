@@ -58,8 +58,10 @@ pub enum Wish {
     Step(usize),
     /// To end the lesson.
     Finish,
-    /// The scene and the ray of the step.
+    /// The ray of the step, and its scene where no change was asked for.
     Restage,
+    /// The scene of the step as the step found it.
+    StartAgain,
     /// What was clicked in a text.
     Text(TextWish),
     /// What is to be done about a question, by its place in the step.

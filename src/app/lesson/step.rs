@@ -231,9 +231,13 @@ fn foot(ui: &mut Ui, open: &OpenLesson, seen: &Seen) -> Option<Wish> {
         wish = Some(Wish::Step(open.step.saturating_sub(1)));
     }
     if open.staged().is_some() && !seen.is_staged {
-        let again = ui.button(say(ui.ctx(), "lesson-restage"));
-        if again.on_hover_text(say(ui.ctx(), "lesson-restage-about")).clicked() {
-            wish = Some(Wish::Restage);
+        let (word, about, asks) = match (seen.is_tried, seen.is_aimed) {
+            (true, true) => ("lesson-again", "lesson-again-about", Wish::StartAgain),
+            (true, false) => ("lesson-restage", "lesson-retry-about", Wish::Restage),
+            (false, _) => ("lesson-restage", "lesson-restage-about", Wish::Restage),
+        };
+        if ui.button(say(ui.ctx(), word)).on_hover_text(say(ui.ctx(), about)).clicked() {
+            wish = Some(asks);
         }
     }
     ui.with_layout(Layout::right_to_left(Align::Center), |ui| {

@@ -11,8 +11,9 @@ use crate::lesson::model::Surface;
 use crate::lesson::question::Form;
 use egui::{Ui, UiBuilder};
 
-/// The panels that draw what happened to the ray.
-const DRAWINGS: [Pane; 9] = [
+/// The panels that tell what happened to the ray.
+const DRAWINGS: [Pane; 10] = [
+    Pane::Detail,
     Pane::Side,
     Pane::Overview,
     Pane::Generic,

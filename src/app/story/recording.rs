@@ -98,9 +98,25 @@ impl Recording {
     #[must_use]
     pub fn rows_told(&self) -> usize {
         let outline = self.story.outline();
-        let Some(veil) = self.veil else { return outline.len() };
-        let last = veil.max(self.story.selected());
+        let Some(last) = self.last_told() else { return outline.len() };
         (0..outline.len()).take_while(|&place| outline.row(place).is_some_and(|id| id <= last)).count()
+    }
+
+    /// The last event that is told, where a lesson keeps the others for its answers.
+    #[must_use]
+    pub fn last_told(&self) -> Option<EventId> {
+        self.veil.map(|veil| veil.max(self.story.selected()))
+    }
+
+    /// Whether a lesson keeps for its answers what came of an event: of the one that it asks about, and of those that are still
+    /// under way there.
+    #[must_use]
+    pub fn keeps_outcome(&self, id: EventId) -> bool {
+        self.last_told().is_some_and(|last| {
+            let is_under_way = id <= last && last < self.story.index().end(id);
+            // Who stepped further wants to know what comes of the event where they stand.
+            is_under_way && (id < last || self.veil == Some(id))
+        })
     }
 
     /// The same, told at a level and with a filter.

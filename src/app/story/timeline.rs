@@ -7,7 +7,7 @@ use crate::app::frame::words::say;
 use crate::record::EventId;
 use crate::story::Step;
 use crate::trace::RayTree;
-use crate::view::{Drawing, Theme, TimelineScale, timeline, timeline_height};
+use crate::view::{Drawing, Theme, Timed, TimelineScale, timeline, timeline_height};
 use egui::accesskit::Action;
 use egui::{
     Color32, EventFilter, Key as KeyName, Pos2, Rect, Response, Role, Sense, Stroke, Ui, Vec2, WidgetInfo, pos2,
@@ -26,6 +26,7 @@ const REACH: f64 = 4.0;
 #[derive(Clone)]
 struct Key {
     tree: Arc<RayTree>,
+    told: EventId,
     stops: Arc<[EventId]>,
     size: [u32; 2],
     theme: Theme,
@@ -34,14 +35,15 @@ struct Key {
 
 impl PartialEq for Key {
     fn eq(&self, other: &Self) -> bool {
-        let rest = |key: &Self| (key.size, key.theme, key.pixels_per_point);
+        let rest = |key: &Self| (key.told, key.size, key.theme, key.pixels_per_point);
         Arc::ptr_eq(&self.tree, &other.tree) && Arc::ptr_eq(&self.stops, &other.stops) && rest(self) == rest(other)
     }
 }
 
 impl Key {
     fn draw(&self) -> Option<Drawing> {
-        timeline(&self.tree, &self.stops, None, self.size.map(f64::from), self.theme)
+        let timed = Timed { tree: &self.tree, told: self.told, stops: &self.stops, selected: None };
+        timeline(timed, self.size.map(f64::from), self.theme)
     }
 }
 
@@ -76,6 +78,7 @@ impl Timeline {
         let size = [rect.width().max(1.0) as u32, (rect.height() - HEAD).max(1.0) as u32];
         let key = Key {
             tree: Arc::clone(&recording.tree),
+            told: recording.last_told().map_or(recording.tree.end(), |last| last + 1),
             stops: Arc::clone(recording.story().stops_shared()),
             size,
             theme: drawing_theme(ui.ctx()),

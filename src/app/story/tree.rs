@@ -5,7 +5,7 @@ use crate::app::frame::theme::{PADDING, Palette};
 use crate::app::frame::words::{say, say_with};
 use crate::record::EventId;
 use crate::story::{Step, Story};
-use crate::view::{Row, row};
+use crate::view::{Row, row, untold_row};
 use egui::{
     Align2, Context, EventFilter, FontId, Key, Rect, Response, Role, ScrollArea, Sense, Stroke, TextStyle, Ui,
     WidgetInfo, pos2, vec2,
@@ -120,8 +120,10 @@ struct Line {
 }
 
 impl Line {
-    fn of(ctx: &Context, story: &Story, id: EventId) -> Self {
-        let (inside, skips) = story.inside(id);
+    /// The row of an event; without what came of it, where that `is_kept` for answers.
+    fn of(ctx: &Context, story: &Story, id: EventId, is_kept: bool) -> Self {
+        let (inside, skips) = if is_kept { (0, 0) } else { story.inside(id) };
+        let event = story.tree().event(id);
         let is_stop = story.stops().binary_search(&id).is_ok();
         let is_guest = story.outline().is_guest(id);
         let counted = |word: &str, count: u32| say_with(ctx, word, &[("count", count.into())]);
@@ -144,7 +146,7 @@ impl Line {
             (inside, skips) => format!("+{inside} ✗{skips}"),
         };
         Self {
-            row: row(story.tree().event(id)),
+            row: if is_kept { untold_row(event) } else { row(event) },
             selected: story.selected() == id,
             open: story.is_open(id),
             depth: story.depth(id),
@@ -169,7 +171,7 @@ impl Line {
 fn show_row(ui: &mut Ui, recording: &Recording, id: EventId) -> Option<Asked> {
     let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width(), ROW), Sense::hover());
     let response = ui.interact(rect, ui.scope_id().with(("row", id)), Sense::click());
-    let mut line = Line::of(ui.ctx(), recording.story(), id);
+    let mut line = Line::of(ui.ctx(), recording.story(), id, recording.keeps_outcome(id));
     line.is_marked = recording.marked.contains(&id);
     if line.is_marked {
         line.beside.push(say(ui.ctx(), "lesson-marked"));

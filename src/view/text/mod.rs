@@ -17,7 +17,7 @@ pub use detail::{Detail, DetailLine, detail};
 pub use format::{brief, brief_vector, significant, span_list};
 pub(super) use format::{count, degrees, times};
 pub(super) use row::titled;
-pub use row::{Row, row};
+pub use row::{Row, row, untold_row};
 pub(super) use texture_row::{angle_between, place, solid_angle, spoken};
 pub use tree::tree_text;
 

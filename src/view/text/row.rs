@@ -22,6 +22,22 @@ pub fn row(event: &Event) -> Row {
     Row { icon: icon(&event.what), label: label(&event.what), numbers: numbers(event) }
 }
 
+/// The same without what came of the event: its name alone, and the ray that it begins with.
+#[must_use]
+pub fn untold_row(event: &Event) -> Row {
+    let Row { icon, label, numbers } = row(event);
+    // What came of it stands behind a colon.
+    let label = label.rsplit_once(": ").map_or(label.as_str(), |(name, _)| name).to_owned();
+    match &event.what {
+        What::Pixel { .. }
+        | What::LooseRay { .. }
+        | What::Ray { ray: RayKind::Camera, .. }
+        | What::Transform { .. } => Row { icon, label, numbers },
+        What::Decision { .. } => Row { icon: '±', label, numbers: String::new() },
+        _ => Row { icon, label, numbers: String::new() },
+    }
+}
+
 fn icon(what: &What) -> char {
     match what {
         What::Pixel { .. } => '▣',

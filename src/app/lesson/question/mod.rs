@@ -23,6 +23,7 @@ use egui::{Button, Frame, Margin, Rect, Response, RichText, Role, Stroke, Ui, Wi
 
 /// What is to be seen elsewhere, as far as answers are about it.
 #[derive(Clone, Copy, Debug, Default)]
+#[expect(clippy::struct_excessive_bools, reason = "they do not depend on each other")]
 pub struct Seen {
     /// Where t stands on the sign plot.
     pub probe_t: Option<f64>,
@@ -32,6 +33,10 @@ pub struct Seen {
     pub event: Option<EventId>,
     /// Whether what is seen is what the step is about.
     pub is_staged: bool,
+    /// Whether the step asks for a change, and its scene is open with one.
+    pub is_tried: bool,
+    /// Whether the pixel or the ray of the step was recorded, in whatever scene.
+    pub is_aimed: bool,
     /// Whether the edited scene still has to be compiled or judged.
     pub is_busy: bool,
 }
