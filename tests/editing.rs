@@ -295,6 +295,15 @@ fn a_change_is_made_while_another_part_of_the_text_is_broken() {
     assert_eq!(changed, "{ \"title\": \"x\"  }");
 }
 
+#[test]
+fn a_word_before_the_first_bracket_is_wrong_by_itself() {
+    let text = "x{ \"camera\": { \"field_of_view\": 31 } }";
+    let syntax = Syntax::of(text);
+    let wrong = syntax.tokens.iter().filter(|token| token.kind == rayscope::document::TokenKind::Error);
+    assert_eq!(wrong.map(|token| &text[token.range.clone()]).collect::<Vec<_>>(), ["x"]);
+    assert_eq!(syntax.value_at(text, &place("camera.field_of_view")), Some(json!(31)));
+}
+
 /// Offers at the place of `|`.
 fn offered(marked: &str) -> (Completion, String, usize) {
     let offset = marked.find('|').expect("a cursor");

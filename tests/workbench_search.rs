@@ -7,7 +7,7 @@ use egui::accesskit::Role;
 use egui::{Key, Modifiers};
 use egui_kittest::kittest::{NodeT, Queryable};
 use hands::*;
-use rayscope::app::{Command, Pane, SearchCommand};
+use rayscope::app::{Command, Pane, SearchCommand, ViewCommand};
 use rayscope::query::{Quantity, Query};
 use rayscope::record::What;
 use rayscope::scene::embedded_scene;
@@ -165,4 +165,46 @@ fn every_word_of_the_language_can_be_asked_by_a_click() {
     bench.get_by_role_and_label(Role::Button, "csg.empty").click_accesskit();
     settle(&mut bench);
     assert_eq!(field(&bench), "csg.empty");
+}
+
+/// Whether nothing asks for another frame.
+fn is_still(bench: &Bench) -> bool {
+    bench.output().viewport_output.values().all(|view| view.repaint_delay == std::time::Duration::MAX)
+}
+
+#[test]
+fn a_map_lies_over_its_own_scene_alone_and_none_is_made_while_its_panel_is_hidden() {
+    let mut bench = small("optics/glass_cube");
+    run(&mut bench, Command::Search(SearchCommand::Map(Quantity::Rays)));
+    wait(&mut bench);
+    let told = |bench: &Bench| {
+        let scene = &workbench(bench).scene().expect("a scene is open").scene;
+        workbench(bench).search().told(scene, [16, 12])
+    };
+    assert!(told(&bench).is_some());
+    run(&mut bench, Command::View(ViewCommand::Pane(Pane::Search)));
+    assert!(!workbench(&bench).dock().shows(Pane::Search));
+    assert!(told(&bench).is_some(), "what is known stays over the picture");
+    let ctx = bench.ctx.clone();
+    workbench_mut(&mut bench).open_scene(&ctx, "hello/sphere");
+    settle(&mut bench);
+    wait_until(&mut bench, "the picture", |bench| workbench(bench).picture_finished());
+    wait_until(&mut bench, "stillness", is_still);
+    assert_eq!(told(&bench), None, "the map is of another scene");
+    reveal(&mut bench, Pane::Search);
+    wait(&mut bench);
+    assert!(told(&bench).is_some());
+}
+
+#[test]
+fn what_is_typed_after_the_palette_led_to_the_search_is_in_its_field() {
+    let mut bench = small("csg/bowl");
+    bench.key_press_modifiers(Modifiers::COMMAND, Key::K);
+    settle(&mut bench);
+    bench.event(egui::Event::Text("find pixels".to_owned()));
+    settle(&mut bench);
+    press(&mut bench, Key::Enter);
+    bench.event(egui::Event::Text("tir".to_owned()));
+    settle(&mut bench);
+    assert_eq!(field(&bench), "tir");
 }

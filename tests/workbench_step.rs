@@ -7,7 +7,7 @@ use egui::accesskit::Role;
 use egui::{Event, Key, Modifiers, Vec2};
 use egui_kittest::kittest::{NodeT, Queryable};
 use hands::*;
-use rayscope::app::{Command, StepCommand};
+use rayscope::app::{Command, Pane, Preset, StepCommand, ViewCommand};
 use rayscope::query::Query;
 use rayscope::record::{RayKind, What};
 use rayscope::story::{Filter, Kind, Level, Step};
@@ -336,4 +336,38 @@ fn a_row_that_is_seen_whole_is_not_said_again_under_the_pointer() {
         bench.step();
     }
     assert_eq!(bench.query_all_by_label(&text).count(), 1, "the row alone says it");
+}
+
+#[test]
+fn the_selected_row_stays_in_sight_when_the_story_gets_the_window_to_itself_and_gives_it_back() {
+    let mut bench = open("optics/fishbowl");
+    tell(&mut bench, Level::Working);
+    let is_seen = |bench: &Bench| {
+        let mut rows = bench.query_all_by_role(Role::TreeItem);
+        rows.any(|row| row.accesskit_node().is_selected() == Some(true))
+    };
+    reveal(&mut bench, Pane::Story);
+    press(&mut bench, Key::End);
+    assert!(is_seen(&bench));
+    run(&mut bench, Command::View(ViewCommand::Alone));
+    assert!(!workbench(&bench).dock().shows(Pane::Picture));
+    assert!(is_seen(&bench), "alone");
+    press(&mut bench, Key::Home);
+    assert!(is_seen(&bench), "at the beginning");
+    run(&mut bench, Command::View(ViewCommand::Alone));
+    assert!(workbench(&bench).dock().shows(Pane::Picture));
+    assert!(is_seen(&bench), "together again");
+}
+
+#[test]
+fn whatever_drawer_is_open_rows_of_the_story_are_seen() {
+    for preset in Preset::ALL {
+        let mut bench = open("optics/fishbowl");
+        run(&mut bench, Command::View(ViewCommand::Layout(preset)));
+        reveal(&mut bench, Pane::Story);
+        for command in [StepCommand::Filter, StepCommand::Breakpoints, StepCommand::LeftOut, StepCommand::Jump] {
+            run(&mut bench, Command::Step(command));
+            assert!(!rows(&bench).is_empty(), "{preset:?}, {command:?}");
+        }
+    }
 }

@@ -98,8 +98,8 @@ impl Workbench {
         let Some(open) = &self.open else { return empty(ui, &say(ui.ctx(), "no-scene")) };
         let texture = self.renderer.texture(ui.ctx()).cloned();
         self.search.update(ui.ctx(), &open.scene);
-        let layers = self.search.layers(ui.ctx());
-        let told = |pixel| self.search.told(pixel);
+        let layers = self.search.layers(ui.ctx(), &open.scene);
+        let told = |pixel| self.search.told(&open.scene, pixel);
         let recording = self.recording.as_ref();
         let view = ImageView { scene: &open.scene, texture, recording, layers: &layers, told: &told };
         let chosen = self.image.ui(ui, &view);

@@ -261,11 +261,22 @@ impl Reader<'_> {
 
     fn begin(&mut self, token: usize, kind: NodeKind, range: Range<usize>) {
         if self.open.is_empty() && !self.syntax.nodes.is_empty() {
-            self.syntax.tokens[token].kind = TokenKind::Error;
-            return;
+            if self.syntax.nodes.iter().any(|node| matches!(node.kind, NodeKind::Object | NodeKind::Array)) {
+                self.syntax.tokens[token].kind = TokenKind::Error;
+                return;
+            }
+            self.turn_down(token);
         }
         let node = self.add(kind, range);
         self.open.push(node);
+    }
+
+    /// A word before the first bracket is what is wrong, not all that follows.
+    fn turn_down(&mut self, before: usize) {
+        for token in self.syntax.tokens[..before].iter_mut().filter(|token| token.kind != TokenKind::Comment) {
+            token.kind = TokenKind::Error;
+        }
+        self.syntax.nodes.clear();
     }
 
     /// Closes the innermost value of this kind with all that is open in it; without one, the bracket is an error.

@@ -21,7 +21,7 @@ compare-page-foreign = Anderer Raytracer
 compare-nothing = Hefte eine Geschichte an; dann nimm ein anderes Pixel auf, öffne eine andere Szene oder ändere eine Einstellung: hier steht, was sich unterscheidet.
 compare-working = Vergleiche…
 compare-no-difference = Kein Unterschied in { $events } Ereignissen.
-compare-counts = { $same } gleich (=), { $changed } geändert (~), { $left } nur hier (-), { $right } nur angeheftet (+)
+compare-counts = { $same } gleich (=), { $changed } geändert (~), { $left } nur hier (−), { $right } nur angeheftet (+)
 compare-first = Erster Unterschied: { $event }
 compare-parting = Geht zuerst einen anderen Weg: { $event }
 compare-go-here = Dorthin

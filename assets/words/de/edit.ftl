@@ -57,6 +57,7 @@ edit-untitled = ohne Namen
 edit-thing = Bearbeiten:
 edit-none = nichts
 edit-nothing-chosen = Oben etwas wählen, im Bild auf ein Objekt klicken oder im Text die Schreibmarke hineinsetzen.
+edit-unreadable = Was bearbeitet wird, ist im Text nicht zu finden, der Fehler hat. Den Text verbessern oder oben etwas wählen.
 edit-camera = Kamera
 edit-image = Bildgröße
 edit-sampling = Abtastung

@@ -21,7 +21,7 @@ compare-page-foreign = Another ray tracer
 compare-nothing = Pin a story, then record another pixel, open another scene or change a setting: this panel shows what differs.
 compare-working = Comparing…
 compare-no-difference = No difference in { $events } events.
-compare-counts = { $same } the same (=), { $changed } changed (~), { $left } only here (-), { $right } only in the pin (+)
+compare-counts = { $same } the same (=), { $changed } changed (~), { $left } only here (−), { $right } only in the pin (+)
 compare-first = First difference: { $event }
 compare-parting = First that goes another way: { $event }
 compare-go-here = Go there

@@ -57,6 +57,7 @@ edit-untitled = untitled
 edit-thing = Edit:
 edit-none = nothing
 edit-nothing-chosen = Choose something above, click an object in the picture, or put the cursor into it in the text.
+edit-unreadable = The thing that is edited cannot be found in the text, which has errors. Mend the text, or choose something above.
 edit-camera = Camera
 edit-image = Image size
 edit-sampling = Sampling

@@ -1,6 +1,6 @@
 //! The large drawing of the accuracy window: the plot, or a map.
 
-use crate::app::drawings::canvas::Canvas;
+use crate::app::drawings::canvas::{Canvas, put};
 use crate::app::frame::background::Background;
 use crate::app::frame::task::{self, Task};
 use crate::app::frame::theme::{Palette, drawing_theme};
@@ -9,7 +9,7 @@ use crate::laboratory::{MapKind, Point, Study, digits_map, error_map, plot, tier
 use crate::scene::{Image, Scene};
 use crate::trace::{Picture, Progress};
 use crate::view::{Drawing, Form, HeatMap, Spot, Theme, frontier_plot, heat_map};
-use egui::{Color32, Pos2, Rect, Role, Sense, Stroke, TextureHandle, Ui, Vec2, WidgetInfo, pos2, vec2};
+use egui::{Pos2, Rect, Role, Sense, Stroke, Ui, WidgetInfo, vec2};
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 use web_time::Instant;
@@ -110,7 +110,7 @@ impl Chart {
         let draw = move || Some(frontier_plot(&plot(&wanted.study, &name), points_of(wanted.look), wanted.look.theme));
         let shown = self.plot.update(ui.ctx(), &key, draw)?;
         let (Some(texture), Some(drawing)) = (&shown.texture, &shown.drawing) else { return None };
-        let place = show(ui, texture, rect, shown.key.look);
+        let place = put(&ui.painter_at(rect), texture, rect.min);
         if let Some(at) = marker(drawing, chosen) {
             mark(ui, place, at);
         }
@@ -149,7 +149,7 @@ impl Chart {
         if let Some(shown) = self.map.update(ui.ctx(), &key, draw)
             && let Some(texture) = &shown.texture
         {
-            show(ui, texture, rect, shown.key.look);
+            put(&ui.painter_at(rect), texture, rect.min);
         }
     }
 
@@ -227,14 +227,6 @@ fn look(ui: &Ui, rect: Rect) -> Look {
 
 fn points_of(look: Look) -> [f64; 2] {
     look.size.map(f64::from)
-}
-
-/// Shows a drawing in its own size; returns where.
-fn show(ui: &Ui, texture: &TextureHandle, rect: Rect, look: Look) -> Rect {
-    let place = Rect::from_min_size(rect.min, Vec2::from(look.size.map(|points| points as f32)));
-    let unit_square = Rect::from_min_max(Pos2::ZERO, pos2(1.0, 1.0));
-    ui.painter_at(rect).image(texture.id(), place, unit_square, Color32::WHITE);
-    place
 }
 
 fn local(place: Rect, at: Pos2) -> Spot {

@@ -25,6 +25,10 @@ const WIDTH: u32 = 160;
 const BETWEEN: Duration = Duration::from_millis(400);
 /// Width of the column of settings, in points.
 const COLUMN: f32 = 330.0;
+/// Between the list of settings and the chosen one, in points.
+const GAP: f32 = 8.0;
+/// The share of the height that the list has where there is too little for both.
+const LIST: f32 = 0.4;
 
 /// What is remembered of the image between frames.
 #[derive(Default)]
@@ -37,6 +41,8 @@ pub struct ImageScope {
     view: View,
     chart: Chart,
     shown: Option<Shown>,
+    /// The heights of the list and of the chosen setting in the frame before, in points.
+    heights: [f32; 2],
 }
 
 impl ImageScope {
@@ -99,10 +105,15 @@ impl ImageScope {
                 None
             }
         };
-        let (above, below) = right.split_top_bottom_at_fraction(0.4);
-        let listed = column(ui, "settings", above, |ui| list(ui, &study, place));
-        let below = below.with_min_y(below.top() + 8.0);
-        let (paired, wish) = column(ui, "setting", below, |ui| chosen_point(ui, &mut self.shown, &study, place));
+        let (above, below) = right.split_top_bottom_at_y(right.top() + list_height(right.height() - GAP, self.heights));
+        let below = below.with_min_y(below.top() + GAP);
+        let (listed, list_height) = column(ui, "settings", above, |ui| list(ui, &study, place));
+        let setting = |ui: &mut Ui| chosen_point(ui, &mut self.shown, &study, place);
+        let ((paired, wish), setting_height) = column(ui, "setting", below, setting);
+        let heights = [list_height, setting_height];
+        if std::mem::replace(&mut self.heights, heights) != heights {
+            ui.ctx().request_repaint();
+        }
         if let Some(place) = chosen.or(listed).or(paired) {
             self.chosen = points.get(place).map(|point| point.plain_name());
             ui.ctx().request_repaint();
@@ -168,11 +179,19 @@ fn run(scene: &Scene, progress: &Progress, publish: &mut dyn FnMut(Study)) {
     }
 }
 
-/// Contents in a rectangle that scroll where they need to.
-fn column<T>(ui: &mut Ui, salt: &str, rect: Rect, contents: impl FnOnce(&mut Ui) -> T) -> T {
+/// How high the list of settings is: as high as it needs to be, unless the chosen one would not have enough.
+fn list_height(room: f32, [list, setting]: [f32; 2]) -> f32 {
+    // A point more than they need: what just fits would be scrolled for a rounding error.
+    let most = (room - setting - 1.0).max(LIST * room);
+    if list == 0.0 { LIST * room } else { (list + 1.0).min(most) }
+}
+
+/// Contents in a rectangle that scroll where they need to, and how high they are.
+fn column<T>(ui: &mut Ui, salt: &str, rect: Rect, contents: impl FnOnce(&mut Ui) -> T) -> (T, f32) {
     ui.scope_builder(UiBuilder::new().id_salt(salt.to_owned()).max_rect(rect), |ui| {
         ui.spacing_mut().item_spacing = vec2(8.0, 4.0);
-        ScrollArea::vertical().id_salt(salt.to_owned()).auto_shrink(false).show(ui, contents).inner
+        let shown = ScrollArea::vertical().id_salt(salt.to_owned()).auto_shrink(false).show(ui, contents);
+        (shown.inner, shown.content_size.y)
     })
     .inner
 }

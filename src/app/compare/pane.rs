@@ -191,12 +191,14 @@ impl ComparePane {
         let before = self.chosen;
         let label = say(ui.ctx(), "compare-with");
         let current = self.pins.get(self.chosen).map_or_else(String::new, |pin| pin.name.clone());
-        let combo = ComboBox::from_label(label).selected_text(current).width(150.0);
-        combo.show_ui(ui, |ui| {
+        let label = ui.label(label);
+        let combo = ComboBox::from_id_salt("pins").selected_text(current).width(150.0);
+        let shown = combo.show_ui(ui, |ui| {
             for (place, pin) in self.pins.iter().enumerate() {
                 ui.selectable_value(&mut self.chosen, place, &pin.name);
             }
         });
+        shown.response.labelled_by(label.id);
         if before != self.chosen {
             self.row = None;
         }

@@ -64,13 +64,19 @@ fn line(stories: &Stories, place: usize, pair: Pair) -> Line {
     Line { label, numbers }
 }
 
+/// The numbers of both sides in one line; a side that has none beside one that has some shows a dash.
+fn side_by_side(numbers: &[String]) -> String {
+    let side = |text: &String| if text.is_empty() { "–".to_owned() } else { text.clone() };
+    if numbers.len() < 2 { numbers.concat() } else { numbers.iter().map(side).collect::<Vec<_>>().join("  |  ") }
+}
+
 fn show(ui: &mut Ui, stories: &Stories, place: usize, is_chosen: bool) -> bool {
     let pair = stories.pairs.pairs[place];
     let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width(), ROW), Sense::hover());
     let response = ui.interact(rect, ui.scope_id().with(("pair", place)), Sense::click());
     let line = line(stories, place, pair);
     let word = say(ui.ctx(), standing_word(pair.standing));
-    let numbers = line.numbers.join("  |  ");
+    let numbers = side_by_side(&line.numbers);
     let spoken = if numbers.is_empty() {
         format!("{word}: {}", line.label)
     } else {
@@ -88,6 +94,8 @@ fn show(ui: &mut Ui, stories: &Stories, place: usize, is_chosen: bool) -> bool {
         ui.painter().rect_filled(rect, 0.0, palette.hovered);
     }
     let ink = match pair.standing {
+        // On the colour of the selection, only the full ink can be read.
+        Standing::Same if is_chosen => palette.text,
         Standing::Same => palette.weak,
         Standing::Changed => palette.accent,
         Standing::OnlyLeft | Standing::OnlyRight => palette.problem,
@@ -99,7 +107,7 @@ fn show(ui: &mut Ui, stories: &Stories, place: usize, is_chosen: bool) -> bool {
     let depth = u16::try_from(pair.depth).unwrap_or(MOST_INDENTS).min(MOST_INDENTS);
     let left = rect.left() + MARK + INDENT * f32::from(depth);
     let body = TextStyle::Body.resolve(ui.style());
-    let text = if pair.standing == Standing::Same { palette.weak } else { palette.text };
+    let text = if pair.standing == Standing::Same && !is_chosen { palette.weak } else { palette.text };
     let end = put(ui, &line.label, body, text, left, rect);
     put(ui, &numbers, FontId::proportional(12.0), ink, end + 10.0, rect);
     response.on_hover_text(spoken).clicked()
@@ -126,5 +134,17 @@ pub const fn standing_word(standing: Standing) -> &'static str {
         Standing::Changed => "compare-changed",
         Standing::OnlyLeft => "compare-only-here",
         Standing::OnlyRight => "compare-only-there",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_side_without_numbers_shows_a_dash_beside_one_that_has_some() {
+        let told = |numbers: &[&str]| side_by_side(&numbers.iter().map(ToString::to_string).collect::<Vec<_>>());
+        assert_eq!(told(&["", "t = 2"]), "–  |  t = 2");
+        assert_eq!([told(&[""]), told(&["t = 2"])], ["", "t = 2"]);
     }
 }

@@ -5,6 +5,7 @@ use crate::app::frame::theme::{PADDING, Palette, bold, drawing_theme};
 use crate::app::frame::words::say;
 use crate::app::pane::Pane;
 use crate::app::workbench::Workbench;
+use egui::emath::GuiRounding;
 use egui::{
     Align, Color32, FontId, Id, Layout, Rect, RichText, Role, Sense, Stroke, StrokeKind, Ui, UiBuilder, Visuals,
     WidgetInfo, WidgetText, vec2,
@@ -70,7 +71,9 @@ impl Docking<'_> {
         let whole = ui.interact(rect, focus_of(pane), Sense::focusable_noninteractive());
         let title = say(ui.ctx(), pane.word());
         whole.widget_info(|| WidgetInfo::labeled(Role::Pane, true, &title));
-        let mut child = ui.new_child(UiBuilder::new().id_salt(pane.word()).max_rect(rect.shrink(1.0)));
+        // Panels share the window by parts of pixels; what is in them lies on whole ones.
+        let inside = rect.shrink(1.0).round_to_pixels(ui.pixels_per_point());
+        let mut child = ui.new_child(UiBuilder::new().id_salt(pane.word()).max_rect(inside));
         child.shrink_clip_rect(rect);
         self.workbench.pane(&mut child, pane);
         if drawing_theme(ui.ctx()).is_high_contrast() {

@@ -2,7 +2,8 @@
 
 use crate::app::system;
 use crate::view::{Drawing, paint};
-use egui::{ColorImage, Context, TextureHandle, TextureOptions};
+use egui::emath::GuiRounding;
+use egui::{Color32, ColorImage, Context, Painter, Pos2, Rect, TextureHandle, TextureOptions, pos2};
 use std::sync::mpsc::{Receiver, TryRecvError, channel};
 
 /// Shows the drawing that belongs to a key. While a new one is painted, the old one stays.
@@ -63,6 +64,16 @@ impl<K: Clone + PartialEq + Send + 'static> Canvas<K> {
             Err(TryRecvError::Disconnected) => self.pending = None,
         }
     }
+}
+
+/// Puts a drawing on screen with its corner here, each of its pixels on one of the screen's: between two of them, lines and letters
+/// would be blurred. Returns where it lies.
+pub fn put(painter: &Painter, texture: &TextureHandle, corner: Pos2) -> Rect {
+    let pixels_per_point = painter.pixels_per_point();
+    let size = texture.size_vec2() / pixels_per_point;
+    let place = Rect::from_min_size(corner.round_to_pixels(pixels_per_point), size);
+    painter.image(texture.id(), place, Rect::from_min_max(Pos2::ZERO, pos2(1.0, 1.0)), Color32::WHITE);
+    place
 }
 
 fn start<K: Send + 'static>(

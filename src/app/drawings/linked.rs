@@ -1,7 +1,7 @@
 //! Drawings of the selected event that are no more than that: looked at, clicked, described.
 
-use super::canvas::Canvas;
-use super::seen::{REACH, Seen, choice, describe, focus_ring, size_of};
+use super::canvas::{Canvas, put};
+use super::seen::{REACH, Seen, choice, describe, focus_ring};
 use crate::app::frame::empty::empty;
 use crate::app::frame::words::say;
 use crate::app::story::recording::Recording;
@@ -9,7 +9,7 @@ use crate::record::EventId;
 use crate::view::{
     Drawing, GenericLook, GenericViewOptions, csg_bars, generic_view, plane_table, shading_bars, snell_diagram,
 };
-use egui::{Color32, EventFilter, Key as KeyName, Pos2, Rect, Response, Sense, Ui, Vec2, pos2};
+use egui::{EventFilter, Key as KeyName, Response, Sense, Ui, Vec2};
 
 /// What is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -101,8 +101,7 @@ impl LinkedPane {
         };
         let response = ui.interact(rect, ui.scope_id().with(key.title()), Sense::click());
         describe(ui, &response, key.title(), drawing);
-        let place = Rect::from_min_size(rect.min, size_of(drawing));
-        ui.painter_at(rect).image(texture.id(), place, unit_square(), Color32::WHITE);
+        let place = put(&ui.painter_at(rect), texture, rect.min);
         focus_ring(ui, &response);
         let clicked = response.clicked().then(|| response.interact_pointer_pos()).flatten();
         if clicked.is_some() {
@@ -158,8 +157,4 @@ impl LinkedPane {
             Linked::Intervals | Linked::Snell | Linked::Shading => {}
         }
     }
-}
-
-fn unit_square() -> Rect {
-    Rect::from_min_max(Pos2::ZERO, pos2(1.0, 1.0))
 }

@@ -1,6 +1,6 @@
 //! The scene in space: turned by dragging or by the arrow keys, with the lines made once for a scene in the background.
 
-use super::canvas::Canvas;
+use super::canvas::{Canvas, put};
 use super::seen::{REACH, Seen, describe, focus_ring};
 use crate::app::frame::words::say;
 use crate::app::story::recording::Recording;
@@ -9,7 +9,7 @@ use crate::math::portable;
 use crate::record::EventId;
 use crate::scene::Scene;
 use crate::view::{Drawing, OverviewOptions, Stand, Wireframe, overview};
-use egui::{Color32, CursorIcon, EventFilter, Key as KeyName, PointerButton, Pos2, Rect, Response, Sense, Ui, pos2};
+use egui::{CursorIcon, EventFilter, Key as KeyName, PointerButton, Response, Sense, Ui};
 use std::sync::{Arc, Mutex, PoisonError};
 
 /// Radians for a point of dragging, and for an arrow key.
@@ -88,8 +88,7 @@ impl OverviewPane {
         let shown = self.canvas.update(ui.ctx(), &key, move || wanted.draw(&wires))?;
         let (Some(texture), Some(drawing)) = (&shown.texture, &shown.drawing) else { return None };
         describe(ui, &response, "pane-overview", drawing);
-        let unit_square = Rect::from_min_max(Pos2::ZERO, pos2(1.0, 1.0));
-        ui.painter_at(rect).image(texture.id(), rect, unit_square, Color32::WHITE);
+        put(&ui.painter_at(rect), texture, rect.min);
         focus_ring(ui, &response);
         let click = response.clicked().then(|| response.interact_pointer_pos()).flatten()?;
         response.request_focus();

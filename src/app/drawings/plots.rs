@@ -1,7 +1,7 @@
 //! Interval bars, the sign plot of d(t), and the drawing of what else happened: what a surface carries, a lens, wavelengths, a medium;
 //! all for the selected event.
 
-use crate::app::drawings::canvas::Canvas;
+use crate::app::drawings::canvas::{Canvas, put};
 use crate::app::drawings::seen::describe;
 use crate::app::frame::empty::empty;
 use crate::app::frame::theme::drawing_theme;
@@ -11,7 +11,7 @@ use crate::record::EventId;
 use crate::scene::Scene;
 use crate::trace::RayTree;
 use crate::view::{Drawing, Theme, event_plot, probed_interval_bars, probed_sign_plot};
-use egui::{Color32, Pos2, Rect, ScrollArea, Sense, Ui, Vec2, pos2, vec2};
+use egui::{Rect, ScrollArea, Sense, Ui, pos2, vec2};
 use std::sync::Arc;
 
 /// How far from a mark a click still counts, in points. Less makes thin lines hard to hit.
@@ -181,9 +181,7 @@ fn show(ui: &Ui, canvas: &mut Canvas<Key>, plot: Plot, recording: &Recording, se
     outcome.present = true;
     let response = ui.interact(rect, ui.scope_id().with(plot.word()), Sense::click());
     describe(ui, &response, plot.word(), drawing);
-    let place = Rect::from_min_size(inside.min, Vec2::from(shown.key.size.map(|points| points as f32)));
-    let unit_square = Rect::from_min_max(Pos2::ZERO, pos2(1.0, 1.0));
-    ui.painter_at(rect).image(texture.id(), place, unit_square, Color32::WHITE);
+    let place = put(&ui.painter_at(rect), texture, inside.min);
     if let (true, Some(at)) = (response.clicked() && shown.key == key, response.interact_pointer_pos()) {
         let local = at - place.min;
         outcome.clicked = drawing.event_at([f64::from(local.x), f64::from(local.y)], REACH);

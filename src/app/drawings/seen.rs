@@ -7,7 +7,7 @@ use crate::record::EventId;
 use crate::scene::Scene;
 use crate::trace::RayTree;
 use crate::view::{Drawing, Theme};
-use egui::{Rect, Response, Role, Stroke, StrokeKind, Ui, Vec2, WidgetInfo, vec2};
+use egui::{Rect, Response, Role, Stroke, StrokeKind, Ui, WidgetInfo};
 use std::sync::Arc;
 
 /// How far from a mark a click still counts, in points. Less makes thin lines hard to hit.
@@ -58,14 +58,6 @@ impl Seen {
     pub fn size(&self) -> [f64; 2] {
         self.points.map(f64::from)
     }
-}
-
-/// The size of a drawing on screen.
-#[must_use]
-pub fn size_of(drawing: &Drawing) -> Vec2 {
-    #[expect(clippy::cast_possible_truncation, reason = "screen coordinates are f32")]
-    let size = vec2(drawing.width as f32, drawing.height as f32);
-    size
 }
 
 /// Names a drawing for screen readers, with what there is to see in it.

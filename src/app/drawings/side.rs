@@ -1,6 +1,6 @@
 //! The side view: the scene cut open along the ray, with everything up to the selected event drawn in.
 
-use crate::app::drawings::canvas::Canvas;
+use crate::app::drawings::canvas::{Canvas, put};
 use crate::app::drawings::seen::{choice, describe};
 use crate::app::frame::empty::empty;
 use crate::app::frame::theme::drawing_theme;
@@ -146,8 +146,12 @@ impl SidePanel {
         }
         if let Some(texture) = &shown.texture {
             // A drawing that is a moment old is moved to where the new one will be.
-            let place = moved(rect, &shown.key, &key);
-            ui.painter_at(rect).image(texture.id(), place, unit_square(), Color32::WHITE);
+            let (place, painter) = (moved(rect, &shown.key, &key), ui.painter_at(rect));
+            if shown.key.sight.zoom == key.sight.zoom {
+                put(&painter, texture, place.min);
+            } else {
+                painter.image(texture.id(), place, unit_square(), Color32::WHITE);
+            }
         }
         let click = response.clicked().then(|| response.interact_pointer_pos()).flatten()?;
         let local = click - rect.min;

@@ -1,14 +1,14 @@
 //! d(t) with a t that is dragged along the ray, by the pointer or the arrow keys.
 
-use super::canvas::Canvas;
-use super::seen::{Seen, focus_ring, size_of};
+use super::canvas::{Canvas, put};
+use super::seen::{Seen, focus_ring};
 use crate::app::frame::empty::empty;
 use crate::app::frame::words::say;
 use crate::app::story::recording::Recording;
 use crate::record::EventId;
 use crate::view::{Drawing, ProbedSigns, SignPlotLayout, probed_sign_plot};
 use egui::accesskit::Action;
-use egui::{Color32, CursorIcon, EventFilter, Key as KeyName, Pos2, Rect, Response, Role, Sense, Ui, WidgetInfo, pos2};
+use egui::{CursorIcon, EventFilter, Key as KeyName, Rect, Response, Role, Sense, Ui, WidgetInfo};
 use std::sync::{Arc, Mutex, PoisonError};
 
 /// The share of the axis that an arrow key moves t by, and with Shift.
@@ -56,9 +56,7 @@ impl SignsPane {
         let response = ui.interact(rect, ui.scope_id().with("signs"), Sense::click_and_drag());
         name(ui, &response, recording.probe_t, layout, drawing);
         let response = response.on_hover_and_drag_cursor(CursorIcon::ResizeHorizontal);
-        let place = Rect::from_min_size(rect.min, size_of(drawing));
-        let unit_square = Rect::from_min_max(Pos2::ZERO, pos2(1.0, 1.0));
-        ui.painter_at(rect).image(texture.id(), place, unit_square, Color32::WHITE);
+        put(&ui.painter_at(rect), texture, rect.min);
         focus_ring(ui, &response);
         if let Some(t) = dragged(&response, rect, layout).or_else(|| keyed(ui, &response, recording.probe_t, layout)) {
             recording.probe_t = Some(t);

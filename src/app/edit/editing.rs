@@ -66,6 +66,7 @@ impl Editing {
         self.flaws.clear();
         self.shown = self.document.revision();
         self.target = None;
+        self.properties = Properties::default();
         self.live.reset(self.document.revision());
         self.editor.reset();
     }

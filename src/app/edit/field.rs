@@ -5,6 +5,9 @@ use crate::document::{Control, Property, Range, decimals_for, rounded};
 use egui::{Color32, ComboBox, DragValue, Response, RichText, Slider, TextEdit, Ui, color_picker};
 use serde_json::{Value, json};
 
+/// Width of a field for a text, in points: names are short.
+const TEXT: f32 = 320.0;
+
 /// What was done with the widget.
 #[derive(Debug, Default)]
 pub struct Change {
@@ -42,7 +45,7 @@ pub fn ui(ui: &mut Ui, property: &Property, label: egui::Id) -> Change {
         }
         Control::Text(text) => {
             let mut text = text.clone();
-            let edit = TextEdit::singleline(&mut text).desired_width(f32::INFINITY).id_salt(property.place.to_string());
+            let edit = TextEdit::singleline(&mut text).desired_width(TEXT).id_salt(property.place.to_string());
             let response = ui.add(edit).labelled_by(label);
             if change.note(&response) {
                 change.value = Some(json!(text));

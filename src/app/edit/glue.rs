@@ -9,6 +9,7 @@ use crate::app::edit::saving::{Order as SaveOrder, Place, Refusal, Written, pict
 use crate::app::frame::words::{say, say_with};
 use crate::app::opening::{After, Source};
 use crate::app::pane::Pane;
+use crate::app::picture::placement::Placement;
 use crate::app::story::recording::Recording;
 use crate::app::system::Journals;
 use crate::app::workbench::Workbench;
@@ -287,14 +288,6 @@ impl Workbench {
     pub(in crate::app) fn picture_handles(&mut self, ui: &Ui) {
         let (Some(open), Some((place, _))) = (&self.open, self.image.seen) else { return };
         let scene = Arc::clone(&open.scene);
-        if self.editing.looks_stale(ui.ctx()) {
-            let at = place.rect.left_top() + egui::vec2(6.0, 4.0);
-            let text = say(ui.ctx(), "edit-stale");
-            let galley = ui.painter().layout_no_wrap(text, egui::FontId::proportional(12.0), egui::Color32::WHITE);
-            let back = egui::Rect::from_min_size(at, galley.size()).expand2(egui::vec2(5.0, 2.0));
-            ui.painter().rect_filled(back, 3.0, egui::Color32::from_black_alpha(190));
-            ui.painter().galley(at, galley, egui::Color32::WHITE);
-        }
         let is_seen = self.editing.mover.is_on || self.editing.is_seen;
         if let Some(target) = self.editing.target.as_ref().filter(|_| is_seen) {
             if let Some(object) = object_at(target).and_then(|index| scene.objects.get(index)) {
@@ -309,6 +302,9 @@ impl Workbench {
             }
         }
         self.editing.move_in_picture(ui, &scene, &place);
+        if self.editing.looks_stale(ui.ctx()) {
+            stale_mark(ui, &place);
+        }
     }
 
     /// Over the side view: the pointer that moves things.
@@ -405,6 +401,16 @@ impl Workbench {
     pub(in crate::app) fn revert(&mut self, ctx: &Context) {
         self.editing.revert(&say(ctx, "edit-revert"));
     }
+}
+
+/// The mark on a picture of an older text, over all that lies on the picture.
+fn stale_mark(ui: &Ui, place: &Placement) {
+    let at = place.rect.left_top() + egui::vec2(6.0, 4.0);
+    let text = say(ui.ctx(), "edit-stale");
+    let galley = ui.painter().layout_no_wrap(text, egui::FontId::proportional(12.0), egui::Color32::WHITE);
+    let back = egui::Rect::from_min_size(at, galley.size()).expand2(egui::vec2(5.0, 2.0));
+    ui.painter().rect_filled(back, 3.0, egui::Color32::from_black_alpha(190));
+    ui.painter().galley(at, galley, egui::Color32::WHITE);
 }
 
 /// Whether keys are typed into another field than the scene's text.

@@ -44,6 +44,11 @@ impl Editing {
             self.grant_all(wishes);
             return;
         };
+        if self.target().is_none() && !self.flaws.is_empty() {
+            empty(&mut child, &say(ui.ctx(), "edit-unreadable"));
+            self.grant_all(wishes);
+            return;
+        }
         let wanted = (self.document.revision(), place.clone());
         if self.properties.of.as_ref() != Some(&wanted) {
             self.properties.sections = sheet(&self.analysis.whole, &place);
@@ -51,8 +56,12 @@ impl Editing {
         }
         let owner = self.target().map_or_else(|| place.to_string(), |target| name_of(ui, target));
         ScrollArea::vertical().auto_shrink(false).id_salt("properties").show(&mut child, |ui| {
+            let mut before: Option<&Section> = None;
             for (i, section) in self.properties.sections.iter().enumerate() {
-                show_section(ui, i, section, &owner, &mut wishes);
+                // What belongs to a step with nothing else in it stands under the step's own title.
+                let is_titled = before.is_some_and(|it| !it.properties.is_empty() || it.name != section.name);
+                show_section(ui, i, section, is_titled, &owner, &mut wishes);
+                before = Some(section);
             }
             if is_solid(self.target()) {
                 add_step(ui, &place, &self.properties.sections, &owner, &mut wishes);
@@ -215,22 +224,22 @@ fn new_solid(shape: &str, material: Option<&str>) -> Value {
     solid
 }
 
-fn show_section(ui: &mut Ui, index: usize, section: &Section, owner: &str, wishes: &mut Vec<Wish>) {
+fn show_section(ui: &mut Ui, index: usize, section: &Section, is_titled: bool, owner: &str, wishes: &mut Vec<Wish>) {
     let palette = Palette::current(ui.ctx());
-    if index > 0 {
+    if is_titled {
         ui.add_space(6.0);
         ui.horizontal(|ui| {
             let number = section.step.map_or_else(String::new, |step| format!("{}. ", step + 1));
             let title = format!("{number}{}", section.name.replace('_', " "));
             ui.label(RichText::new(title).family(bold())).on_hover_text(&section.about);
-            if section.step.is_some() {
-                let button = ui.small_button(say(ui.ctx(), "edit-remove-step"));
-                if button.clicked() {
-                    let cause = say_with(ui.ctx(), "edit-cause-remove", &[("thing", section.name.as_str().into())]);
-                    wishes.push(Wish::Remove(section.place.clone(), cause));
-                }
+            if section.step.is_some() && ui.button(say(ui.ctx(), "edit-remove-step")).clicked() {
+                let cause = say_with(ui.ctx(), "edit-cause-remove", &[("thing", section.name.as_str().into())]);
+                wishes.push(Wish::Remove(section.place.clone(), cause));
             }
         });
+    }
+    if section.properties.is_empty() {
+        return;
     }
     Grid::new(("section", index)).num_columns(2).spacing(vec2(10.0, 5.0)).show(ui, |ui| {
         for property in &section.properties {

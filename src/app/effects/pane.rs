@@ -189,9 +189,12 @@ fn idle_effects(ui: &mut Ui, idle: &[Reason]) {
     }
     ui.label(RichText::new(say(ui.ctx(), "effects-idle")).small().weak());
     ui.horizontal_wrapped(|ui| {
-        for reason in idle {
+        ui.spacing_mut().item_spacing.x = 4.0;
+        for (i, reason) in idle.iter().enumerate() {
             let why = with_code(&reason.why, 13.5, Palette::current(ui.ctx()).text);
-            ui.label(RichText::new(reason.effect.name()).weak()).on_hover_text(why);
+            let between = if i + 1 < idle.len() { " ·" } else { "" };
+            let name = format!("{}{between}", reason.effect.name());
+            ui.label(RichText::new(name).weak()).on_hover_text(why);
         }
     });
 }

@@ -3,7 +3,7 @@
 use crate::view::{self, FontRole};
 use egui::{
     Color32, Context, CornerRadius, FontData, FontDefinitions, FontFamily, FontId, Id, Margin, Shadow, Stroke, Style,
-    TextStyle, Theme, Visuals, style::ScrollAnimation,
+    TextStyle, Theme, Visuals, style::ScrollAnimation, style::ScrollStyle,
 };
 use std::sync::Arc;
 
@@ -172,9 +172,21 @@ fn restyle(style: &mut Style, theme: Theme) {
     style.spacing.button_padding = egui::vec2(9.0, 4.0);
     style.spacing.menu_margin = Margin::same(8);
     style.spacing.interact_size.y = 24.0;
-    style.spacing.scroll = egui::style::ScrollStyle::thin();
+    style.spacing.scroll = scroll_bars();
     style.spacing.tooltip_width = 360.0;
     style.visuals = visuals(theme, false);
+}
+
+/// Scroll bars in the colour of the text, fainter where the pointer is not on them: thin ones, but seen on every panel.
+fn scroll_bars() -> ScrollStyle {
+    ScrollStyle {
+        foreground_color: true,
+        floating_width: 4.0,
+        dormant_handle_opacity: 0.5,
+        active_handle_opacity: 0.5,
+        interact_handle_opacity: 0.7,
+        ..ScrollStyle::thin()
+    }
 }
 
 fn visuals(theme: Theme, is_high_contrast: bool) -> Visuals {

@@ -40,7 +40,9 @@ impl Palette {
             self.field(ui);
             taken = self.keys(ui, lines.len());
             ui.add_space(4.0);
-            ScrollArea::vertical().max_height(HEIGHT).auto_shrink([false, true]).show(ui, |ui| {
+            // Without the least height it would stay as low as it was with the fewest lines.
+            let scroll = ScrollArea::vertical().max_height(HEIGHT).min_scrolled_height(HEIGHT);
+            scroll.auto_shrink([false, true]).show(ui, |ui| {
                 for (place, line) in lines.iter().enumerate() {
                     if show(ui, line, place == self.chosen) {
                         taken = Some(place);

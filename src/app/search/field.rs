@@ -56,7 +56,7 @@ impl Field {
     /// Shows the field in what is left of the row.
     pub fn ui(&mut self, ui: &mut Ui, vocabulary: &Vocabulary) -> Option<Typed> {
         let id = Id::unique("search field");
-        if std::mem::take(&mut self.wants_focus) {
+        if self.wants_focus {
             ui.memory_mut(|memory| memory.request_focus(id));
         }
         let (hint, name) = (say(ui.ctx(), "search-hint"), say(ui.ctx(), "search-field"));
@@ -78,6 +78,8 @@ impl Field {
             .max_height(260.0);
         let output = popup.show(ui, edit, |query| suggestions(query, vocabulary));
         let response = output.text_edit.response.response;
+        // What lay over the window in the frame before, as the palette did, still keeps the focus to itself.
+        self.wants_focus &= !response.has_focus();
         ui.ctx().accesskit_node_builder(response.id, |node| node.set_label(name));
         if self.text != before {
             self.read();

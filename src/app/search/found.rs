@@ -197,7 +197,13 @@ impl Asked {
             painter.rect_filled(rect, 0.0, palette.hovered);
         }
         let left = rect.left_center() + vec2(8.0, 0.0);
-        painter.text(left, Align2::LEFT_CENTER, &place, FontId::monospace(12.0), palette.weak);
+        painter.text(
+            left,
+            Align2::LEFT_CENTER,
+            &place,
+            FontId::monospace(12.0),
+            if is_chosen { palette.text } else { palette.weak },
+        );
         let left = left + vec2(84.0, 0.0);
         painter.text(left, Align2::LEFT_CENTER, found.row.icon, FontId::proportional(13.0), palette.accent);
         let left = left + vec2(22.0, 0.0);

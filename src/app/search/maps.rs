@@ -2,7 +2,7 @@
 
 use super::found::Place;
 use super::layer::{self, Layer, Pixels};
-use crate::app::drawings::canvas::Canvas;
+use crate::app::drawings::canvas::{Canvas, put};
 use crate::app::frame::background::Background;
 use crate::app::frame::task::{self, Task};
 use crate::app::frame::theme::drawing_theme;
@@ -11,10 +11,13 @@ use crate::query::{FIRST_SIDE, Quantity, Survey, survey};
 use crate::scene::Scene;
 use crate::trace::Progress;
 use crate::view::{HeatMap, Theme, heat_map};
-use egui::{Color32, Context, Pos2, Rect, RichText, Role, Sense, Slider, TextureHandle, Ui, WidgetInfo, pos2, vec2};
+use egui::{Color32, Context, RichText, Role, ScrollArea, Sense, Slider, TextureHandle, Ui, WidgetInfo, vec2};
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 use web_time::Instant;
+
+/// The least height in which the map and its legend can be read, in points: lower, they are scrolled.
+const LEAST: f32 = 200.0;
 
 /// The maps' panel.
 pub struct Maps {
@@ -113,8 +116,8 @@ impl Maps {
         self.job = None;
     }
 
-    /// Begins a survey where one is wanted, and takes what is known of it.
-    pub fn update(&mut self, ctx: &Context, scene: &Arc<Scene>) {
+    /// Begins a survey where one is wanted.
+    pub fn begin(&mut self, ctx: &Context, scene: &Arc<Scene>) {
         let Some(quantity) = self.quantity else { return };
         let is_known = |known: &Known| known.survey.quantity == quantity && Arc::ptr_eq(&known.scene, scene);
         let is_at_work =
@@ -123,6 +126,10 @@ impl Maps {
         if !is_complete && !is_at_work {
             self.job = start(ctx, quantity, scene);
         }
+    }
+
+    /// Takes what is known of a survey that is at work.
+    pub fn update(&mut self, ctx: &Context) {
         let Some(job) = &self.job else { return };
         let is_finished = job.work.is_finished();
         if let Some(Mapped { survey, map, pixels, theme }) = job.work.take() {
@@ -142,10 +149,10 @@ impl Maps {
         self.job.is_none() && self.known.as_ref().is_some_and(|known| known.survey.is_complete())
     }
 
-    /// What lies over the picture.
-    pub fn layer(&mut self, ctx: &Context) -> Option<Layer> {
+    /// What lies over the picture of a scene: a map of that scene, and of no other.
+    pub fn layer(&mut self, ctx: &Context, scene: &Arc<Scene>) -> Option<Layer> {
         let theme = drawing_theme(ctx);
-        let map = &self.known.as_ref()?.map;
+        let map = &self.known_of(scene)?.map;
         if self.over.as_ref().is_none_or(|(of, _)| *of != theme) {
             self.over = Some((theme, layer::upload(ctx, "map", &layer::map(map, theme))));
         }
@@ -153,14 +160,26 @@ impl Maps {
         self.over.as_ref().map(|(_, texture)| Layer { texture: texture.clone(), tint })
     }
 
-    /// What the map says of a pixel.
-    pub fn told(&self, pixel: [u32; 2]) -> Option<String> {
-        let known = self.known.as_ref()?;
+    /// What is known of a scene.
+    fn known_of(&self, scene: &Arc<Scene>) -> Option<&Known> {
+        self.known.as_ref().filter(|known| Arc::ptr_eq(&known.scene, scene))
+    }
+
+    /// What the map says of a pixel of a scene.
+    pub fn told(&self, scene: &Arc<Scene>, pixel: [u32; 2]) -> Option<String> {
+        let known = self.known_of(scene)?;
         known.survey.told(&known.scene, pixel)
     }
 
     /// Shows the quantities and the map; returns the pixel that was clicked in it.
     pub fn ui(&mut self, ui: &mut Ui, scene: &Arc<Scene>) -> Option<Place> {
+        let room = ui.available_height();
+        let scroll = ScrollArea::vertical().auto_shrink(false).id_salt("maps");
+        scroll.show(ui, |ui| self.contents(ui, scene, room)).inner
+    }
+
+    fn contents(&mut self, ui: &mut Ui, scene: &Arc<Scene>, room: f32) -> Option<Place> {
+        let top = ui.cursor().top();
         ui.horizontal_wrapped(|ui| {
             let mut chosen = self.quantity;
             ui.selectable_value(&mut chosen, None, say(ui.ctx(), "map-none"))
@@ -187,14 +206,15 @@ impl Maps {
                 ui.weak(say_with(ui.ctx(), "map-running", &[("percent", (&percent).into())]));
             }
         });
-        self.drawing(ui)
+        // A little less than there is room for: what just fits would be scrolled for a rounding error.
+        let height = (room - (ui.cursor().top() - top) - 1.0).max(LEAST);
+        self.drawing(ui, scene, height)
     }
 
     /// The map with its legend; hovering reads a pixel.
-    fn drawing(&mut self, ui: &mut Ui) -> Option<Place> {
-        let map = Arc::clone(&self.known.as_ref()?.map);
-        let rect = ui.available_rect_before_wrap();
-        let response = ui.allocate_rect(rect, Sense::click());
+    fn drawing(&mut self, ui: &mut Ui, scene: &Arc<Scene>, height: f32) -> Option<Place> {
+        let map = Arc::clone(&self.known_of(scene)?.map);
+        let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), height), Sense::click());
         let (description, name) = (map.title.clone(), say_with(ui.ctx(), "map-name", &[("map", (&map.title).into())]));
         response.widget_info(|| WidgetInfo::labeled(Role::Image, true, &name));
         #[expect(
@@ -211,14 +231,12 @@ impl Maps {
         let told = shown.drawing.as_ref().map_or(description, |drawing| drawing.description.clone());
         ui.ctx().accesskit_node_builder(response.id, |node| node.set_description(told));
         let texture = shown.texture.as_ref()?;
-        let place = Rect::from_min_size(rect.min, vec2(shown.key.size[0] as f32, shown.key.size[1] as f32));
-        let unit_square = Rect::from_min_max(Pos2::ZERO, pos2(1.0, 1.0));
-        ui.painter_at(rect).image(texture.id(), place, unit_square, egui::Color32::WHITE);
+        let place = put(&ui.painter_at(rect), texture, rect.min);
         let (map, size) = (Arc::clone(&shown.key.map), shown.key.size.map(f64::from));
         let at = response.hover_pos()? - place.min;
         let pixel = map.pixel_at(size, [f64::from(at.x), f64::from(at.y)])?;
         let [x, y] = pixel;
-        let value = self.told(pixel).unwrap_or_default();
+        let value = self.told(scene, pixel).unwrap_or_default();
         let clicked = response.clicked();
         response.on_hover_text_at_pointer(format!("({x}, {y}): {value}"));
         clicked.then_some(Place { pixel, event: None })

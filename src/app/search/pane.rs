@@ -101,7 +101,7 @@ impl SearchPane {
         self.maps.pause();
     }
 
-    /// Asks what is to be asked of the scene, and takes what is known.
+    /// Asks what is to be asked of the scene, and takes what is known. A map is begun only where the panel is seen.
     pub fn update(&mut self, ctx: &Context, scene: &Arc<Scene>) {
         match self.field.query() {
             Some(query) if !self.asked.as_ref().is_some_and(|asked| asked.is(query, scene)) => {
@@ -115,25 +115,26 @@ impl SearchPane {
         if let Some(asked) = &mut self.asked {
             asked.update(ctx);
         }
-        self.maps.update(ctx, scene);
+        self.maps.update(ctx);
     }
 
     /// What lies over the picture, the lowest first.
-    pub(in crate::app) fn layers(&mut self, ctx: &Context) -> Vec<Layer> {
-        let map = self.maps.layer(ctx);
+    pub(in crate::app) fn layers(&mut self, ctx: &Context, scene: &Arc<Scene>) -> Vec<Layer> {
+        let map = self.maps.layer(ctx, scene);
         let found = self.asked.as_ref().and_then(Asked::texture).cloned();
         let found = found.map(|texture| Layer { texture, tint: Color32::WHITE });
         map.into_iter().chain(found).collect()
     }
 
-    /// What the map says of a pixel.
+    /// What the map of a scene says of a pixel.
     #[must_use]
-    pub fn told(&self, pixel: [u32; 2]) -> Option<String> {
-        self.maps.told(pixel)
+    pub fn told(&self, scene: &Arc<Scene>, pixel: [u32; 2]) -> Option<String> {
+        self.maps.told(scene, pixel)
     }
 
     /// Shows the panel; returns the pixel that was chosen.
     pub fn ui(&mut self, ui: &mut Ui, scene: &Arc<Scene>) -> Option<Place> {
+        self.maps.begin(ui.ctx(), scene);
         if !self.names.as_ref().is_some_and(|(of, _)| Arc::ptr_eq(of, scene)) {
             self.names = Some((Arc::clone(scene), Vocabulary::of(scene)));
         }

@@ -4,10 +4,7 @@ use crate::app::frame::theme::Palette;
 use crate::app::frame::words::{say, say_with};
 use crate::app::workbench::Workbench;
 use crate::story::Breakpoint;
-use egui::{Key, RichText, ScrollArea, TextEdit, Ui};
-
-/// Height above which the list scrolls, in points.
-const HEIGHT: f32 = 150.0;
+use egui::{Color32, Key, RichText, TextEdit, TextStyle, Ui};
 
 /// What was done with the list.
 enum Change {
@@ -15,21 +12,19 @@ enum Change {
     Remove(usize),
 }
 
-/// Shows the list, the field for a new one, and the search.
+/// Shows the field for a new one, the search, and below them the list, which may be long.
 pub fn ui(ui: &mut Ui, workbench: &mut Workbench) {
+    new(ui, workbench);
+    search(ui, workbench);
     let mut change = None;
-    ScrollArea::vertical().id_salt("breakpoints").max_height(HEIGHT).show(ui, |ui| {
-        for (place, breakpoint) in workbench.stepping.breakpoints.list().iter().enumerate() {
-            change = line(ui, place, breakpoint).or(change.take());
-        }
-    });
+    for (place, breakpoint) in workbench.stepping.breakpoints.list().iter().enumerate() {
+        change = line(ui, place, breakpoint).or(change.take());
+    }
     match change {
         Some(Change::Switch(place, on)) => workbench.change_breakpoints(|list, _| list.set_enabled(place, on)),
         Some(Change::Remove(place)) => workbench.change_breakpoints(|list, _| list.remove(place)),
         None => {}
     }
-    new(ui, workbench);
-    search(ui, workbench);
 }
 
 fn line(ui: &mut Ui, place: usize, breakpoint: &Breakpoint) -> Option<Change> {
@@ -59,7 +54,8 @@ fn new(ui: &mut Ui, workbench: &mut Workbench) {
     ui.horizontal(|ui| {
         let stepping = &mut workbench.stepping;
         let label = ui.label(say(ui.ctx(), "step-breakpoint-new"));
-        let width = (ui.available_width() - 120.0).max(60.0);
+        let button = say(ui.ctx(), "step-breakpoint-add");
+        let width = (ui.available_width() - beside(ui, &button)).max(60.0);
         let hint = say(ui.ctx(), "step-breakpoint-hint");
         let field = TextEdit::singleline(&mut stepping.question).desired_width(width).hint_text(hint);
         let field = ui.add(field).labelled_by(label.id);
@@ -67,7 +63,7 @@ fn new(ui: &mut Ui, workbench: &mut Workbench) {
             field.request_focus();
         }
         let entered = field.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
-        add = entered | ui.button(say(ui.ctx(), "step-breakpoint-add")).clicked();
+        add = entered | ui.button(button).clicked();
     });
     if add && !workbench.stepping.question.trim().is_empty() {
         let question = workbench.stepping.question.clone();
@@ -87,6 +83,14 @@ fn new(ui: &mut Ui, workbench: &mut Workbench) {
     if let Some(problem) = &workbench.stepping.question_problem {
         ui.label(RichText::new(problem).color(Palette::current(ui.ctx()).problem));
     }
+}
+
+/// How much room a button takes beside a field, with the space between them and around the field's text.
+fn beside(ui: &Ui, button: &str) -> f32 {
+    let font = TextStyle::Button.resolve(ui.style());
+    let text = ui.painter().layout_no_wrap(button.to_owned(), font, Color32::WHITE).size().x;
+    let spacing = ui.spacing();
+    text + 4.0 * spacing.button_padding.x + spacing.item_spacing.x
 }
 
 fn search(ui: &mut Ui, workbench: &mut Workbench) {

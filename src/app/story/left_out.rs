@@ -9,8 +9,8 @@ use egui::{RichText, ScrollArea, Ui};
 /// Height above which the list scrolls, in points.
 const HEIGHT: f32 = 170.0;
 
-/// Shows the list; what is clicked is selected.
-pub fn ui(ui: &mut Ui, workbench: &mut Workbench) {
+/// Shows the list, no higher than this; what is clicked is selected.
+pub fn ui(ui: &mut Ui, workbench: &mut Workbench, height: f32) {
     if let Some(open) = &workbench.open {
         let off = |effect: &Effect| open.whole.effects.has(*effect) && !open.scene.effects.has(*effect);
         let names: Vec<&str> = Effect::ALL.into_iter().filter(off).map(Effect::name).collect();
@@ -38,22 +38,22 @@ pub fn ui(ui: &mut Ui, workbench: &mut Workbench) {
         }
     });
     workbench.stepping.cut = cut;
-    let clicked = chosen.and_then(|one| list(ui, story, one));
+    let clicked = chosen.and_then(|one| list(ui, story, one, height));
     if let (Some(event), Some(recording)) = (clicked, &mut workbench.recording) {
         recording.select(event);
     }
 }
 
 /// The events of one kind, laid out only where they are seen.
-fn list(ui: &mut Ui, story: &Story, cut: Cut) -> Option<EventId> {
+fn list(ui: &mut Ui, story: &Story, cut: Cut, most: f32) -> Option<EventId> {
     let events = story.index().cut_events(cut);
     let height = ui.text_style_height(&egui::TextStyle::Body) + 4.0;
     let mut clicked = None;
-    ScrollArea::vertical().id_salt(("left out", cut.name())).max_height(HEIGHT).auto_shrink([false, true]).show_rows(
-        ui,
-        height,
-        events.len(),
-        |ui, range| {
+    ScrollArea::vertical()
+        .id_salt(("left out", cut.name()))
+        .max_height(HEIGHT.min(most))
+        .auto_shrink([false, true])
+        .show_rows(ui, height, events.len(), |ui, range| {
             for &event in &events[range] {
                 let told: Vec<String> = skips(story.tree().event(event))
                     .iter()
@@ -65,8 +65,7 @@ fn list(ui: &mut Ui, story: &Story, cut: Cut) -> Option<EventId> {
                     clicked = Some(event);
                 }
             }
-        },
-    );
+        });
     clicked
 }
 

@@ -1,7 +1,7 @@
 //! The strip with all events in a line: drawn in the background, with the place where one stands painted over it.
 
 use super::recording::Recording;
-use crate::app::drawings::canvas::Canvas;
+use crate::app::drawings::canvas::{Canvas, put};
 use crate::app::frame::theme::{Palette, drawing_theme};
 use crate::app::frame::words::say;
 use crate::record::EventId;
@@ -9,9 +9,7 @@ use crate::story::Step;
 use crate::trace::RayTree;
 use crate::view::{Drawing, Theme, Timed, TimelineScale, timeline, timeline_height};
 use egui::accesskit::Action;
-use egui::{
-    Color32, EventFilter, Key as KeyName, Pos2, Rect, Response, Role, Sense, Stroke, Ui, Vec2, WidgetInfo, pos2,
-};
+use egui::{EventFilter, Key as KeyName, Rect, Response, Role, Sense, Stroke, Ui, WidgetInfo, pos2};
 use std::sync::Arc;
 
 /// Most height of the strip, in points: what would need more shares lanes.
@@ -88,9 +86,7 @@ impl Timeline {
         let shown = self.canvas.update(ui.ctx(), &key, move || wanted.draw());
         let drawing = shown.and_then(|shown| shown.drawing.as_ref().filter(|_| shown.key == key));
         if let Some(texture) = shown.and_then(|shown| shown.texture.as_ref()) {
-            let unit_square = Rect::from_min_max(Pos2::ZERO, pos2(1.0, 1.0));
-            let place = Rect::from_min_size(rect.min, Vec2::from(size.map(|points| points as f32)));
-            ui.painter_at(rect).image(texture.id(), place, unit_square, Color32::WHITE);
+            put(&ui.painter_at(rect), texture, rect.min);
         }
         let scale = TimelineScale::new(f64::from(size[0]), recording.tree.end());
         paint_place(ui, rect, &scale, recording.selected(), &response);

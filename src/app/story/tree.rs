@@ -36,7 +36,12 @@ pub fn ui(ui: &mut Ui, recording: Option<&mut Recording>) {
     let told = recording.rows_told();
     let rows = told + usize::from(told < recording.story().outline().len());
     let output = area.show_rows(ui, ROW, rows, |ui, range| show_rows(ui, recording, range, told));
-    ui.ctx().data_mut(|data| data.insert_temp(focus, [output.state.clamped_offset().y, output.inner_rect.height()]));
+    let seen = Seen {
+        offset: output.state.clamped_offset().y,
+        height: output.inner_rect.height(),
+        place: (recording.pixel, recording.selected()),
+    };
+    ui.ctx().data_mut(|data| data.insert_temp(focus, seen));
     // The outline as a whole takes the focus, so that it does not get lost when the focused row scrolls away.
     let whole = ui.interact(output.inner_rect, focus, Sense::focusable_noninteractive());
     let name = say(ui.ctx(), "step-tree");
@@ -58,6 +63,15 @@ pub fn ui(ui: &mut Ui, recording: Option<&mut Recording>) {
     }
 }
 
+/// What an outline showed last: in a layout, and in the window by itself, there is one each.
+#[derive(Clone, Copy)]
+struct Seen {
+    offset: f32,
+    height: f32,
+    /// The pixel and the selected event.
+    place: ([u32; 2], EventId),
+}
+
 /// What a click on a row asks for.
 enum Asked {
     Select(EventId),
@@ -75,10 +89,13 @@ fn offset_of_selection(ui: &Ui, recording: &mut Recording) -> Option<f32> {
     }
     let focus = ui.scope_id().with("outline keys");
     // The height was another one before in another layout, or behind another panel.
-    let [offset, before] = ui.ctx().data(|data| data.get_temp(focus)).unwrap_or([0.0, height]);
+    let seen: Option<Seen> = ui.ctx().data(|data| data.get_temp(focus));
+    let (offset, before) = seen.map_or((0.0, height), |seen| (seen.offset, seen.height));
     let top = recording.story().outline().row_of(recording.selected()).map(|row| row as f32 * ROW);
     let is_in = |height: f32| top.is_some_and(|top| top >= offset && top + ROW <= offset + height);
-    let has_moved = std::mem::take(&mut recording.selection_moved);
+    // It may have moved, and been followed, where the outline lay in another place.
+    let is_known = seen.is_some_and(|seen| seen.place == (recording.pixel, recording.selected()));
+    let has_moved = std::mem::take(&mut recording.selection_moved) || !is_known;
     let was_seen = before > height && is_in(before);
     let target = top.filter(|_| (has_moved || was_seen) && !is_in(height));
     target.map(|top| (top - height / 3.0).max(0.0))
@@ -241,10 +258,12 @@ fn paint_row(ui: &Ui, rect: Rect, left: f32, line: &Line, hovered: bool) -> bool
     let small = FontId::proportional(12.0);
     let icon = pos2(left + TRIANGLE + ICON / 2.0 - 2.0, middle);
     painter.text(icon, Align2::CENTER_CENTER, line.row.icon, body.clone(), palette.accent);
-    let ink = if line.is_context { palette.weak } else { palette.text };
+    // On the colour of the selection, only the full ink can be read.
+    let weak = if line.selected { palette.text } else { palette.weak };
+    let ink = if line.is_context { weak } else { palette.text };
     let mut right = rect.right() - 8.0;
     if !line.badge.is_empty() {
-        let badge = painter.text(pos2(right, middle), Align2::RIGHT_CENTER, &line.badge, small.clone(), palette.weak);
+        let badge = painter.text(pos2(right, middle), Align2::RIGHT_CENTER, &line.badge, small.clone(), weak);
         right = badge.left() - 8.0;
     }
     let x = left + TRIANGLE + ICON;
@@ -254,9 +273,9 @@ fn paint_row(ui: &Ui, rect: Rect, left: f32, line: &Line, hovered: bool) -> bool
     if right - x <= 24.0 {
         return !label.elided && line.row.numbers.is_empty();
     }
-    let numbers = elided(ui, &line.row.numbers, small, palette.weak, right - x);
+    let numbers = elided(ui, &line.row.numbers, small, weak, right - x);
     let is_whole = !label.elided && !numbers.elided;
-    painter.galley(pos2(x, middle - numbers.size().y / 2.0), numbers, palette.weak);
+    painter.galley(pos2(x, middle - numbers.size().y / 2.0), numbers, weak);
     is_whole
 }
 
