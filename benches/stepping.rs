@@ -9,7 +9,7 @@ use large::{Frame, Show, Spread, fishbowl_with};
 use rayscope::app::{Command, Preset, StepCommand, ViewCommand};
 use rayscope::cpu_time::cpu_time;
 use rayscope::story::{Filter, Index, Level, Step, Story};
-use rayscope::view::{Theme, timeline};
+use rayscope::view::{Theme, Timed, timeline};
 
 /// Milliseconds for 95 of 100 frames: 60 frames a second.
 const BOUND: f64 = 16.0;
@@ -92,6 +92,7 @@ fn print_parts(show: &Show) {
     let words = Filter { text: "extent missed".to_owned(), ..Filter::default() };
     time("look for words, in the background", &mut || drop(words.matches(story.tree(), story.index())));
     time("marks of the timeline, in the background", &mut || {
-        drop(timeline(tree, &[], None, [600.0, 84.0], Theme::Light));
+        let timed = Timed { tree, told: tree.end(), stops: &[], selected: None };
+        drop(timeline(timed, [600.0, 84.0], Theme::Light));
     });
 }
