@@ -57,7 +57,7 @@ pub fn read(text: &str) -> Option<Kept> {
         is_reduced_motion: kept.reduced_motion,
         is_toured: kept.toured,
     };
-    Some(Kept { dock: kept.dock, settings, progress: kept.progress })
+    Some(Kept { dock: kept.dock.mended(), settings, progress: kept.progress })
 }
 
 #[cfg(test)]

@@ -52,6 +52,10 @@ impl Commands for SearchCommand {
         }
     }
 
+    fn group(self) -> Option<&'static str> {
+        matches!(self, Self::Map(_) | Self::NoMap).then_some("search-maps")
+    }
+
     fn key(self) -> Option<KeyboardShortcut> {
         match self {
             Self::Find => Some(KeyboardShortcut::new(Modifiers::COMMAND.plus(Modifiers::SHIFT), Key::F)),

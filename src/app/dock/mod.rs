@@ -64,6 +64,7 @@ pub struct Dock {
 /// A change of the layout that a panel asks for.
 #[derive(Clone, Debug)]
 enum Wish {
+    Choose(Preset),
     Reveal(Pane),
     Uncover(Pane, Pane),
     Beside(Vec<Pane>, Pane),
@@ -104,9 +105,26 @@ impl Dock {
     }
 
     /// Shows another layout, as it was left.
-    pub const fn choose(&mut self, preset: Preset) {
+    pub fn choose(&mut self, preset: Preset) {
+        if self.is_being_shown() {
+            self.waiting.push(Wish::Choose(preset));
+            return;
+        }
         self.preset = preset;
         self.alone = None;
+    }
+
+    /// Puts layouts without a panel back to what they were at first.
+    #[must_use]
+    pub fn mended(mut self) -> Self {
+        let mend = |tree: &mut Tree<Pane>, first: Tree<Pane>| {
+            if tree.is_empty() {
+                *tree = first;
+            }
+        };
+        std::iter::zip(&mut self.layouts, Preset::ALL).for_each(|(tree, preset)| mend(tree, preset.layout()));
+        std::iter::zip(&mut self.few_columns, preset::few_columns()).for_each(|(tree, first)| mend(tree, first));
+        self
     }
 
     /// Puts the layout that is shown back to what it was at first.
@@ -236,6 +254,7 @@ impl Dock {
         self.current = used.or(self.current);
         for wish in std::mem::take(&mut self.waiting) {
             match wish {
+                Wish::Choose(preset) => self.choose(preset),
                 Wish::Reveal(pane) => self.reveal(pane),
                 Wish::Uncover(pane, kept) => self.uncover(pane, kept),
                 Wish::Beside(panes, kept) => self.show_beside(&panes, kept),
@@ -351,6 +370,27 @@ mod tests {
             dock.reveal(Pane::Accuracy);
             assert!(dock.shows(Pane::Accuracy));
         }
+    }
+
+    #[test]
+    fn another_layout_that_is_asked_for_within_a_frame_leaves_this_one_whole() {
+        let mut dock = Dock::default();
+        let (tree, _) = dock.begin();
+        dock.choose(Preset::Lesson);
+        dock.reveal(Pane::Lesson);
+        dock.end(tree, None);
+        assert!(dock.preset() == Preset::Lesson && dock.shows(Pane::Lesson));
+        dock.choose(Preset::Learn);
+        assert!(dock.shows(Pane::Picture) && dock.shows(Pane::Story) && dock.shows(Pane::Detail));
+    }
+
+    #[test]
+    fn a_layout_that_was_kept_without_a_panel_is_as_at_first() {
+        let mut dock = Dock::default();
+        let (tree, _) = dock.begin();
+        drop(tree);
+        assert!(!dock.shows(Pane::Picture));
+        assert!(dock.mended().shows(Pane::Picture));
     }
 
     #[test]

@@ -16,8 +16,8 @@ use std::sync::Arc;
 const UPPER: f32 = 42.0;
 /// Margin to the left and to the right, in points.
 const MARGIN: f32 = 14.0;
-/// A bar that is narrower has one menu for all, in points.
-const NARROW: f32 = 940.0;
+/// What the program's name and the choice of scenes take beside menus and layouts, in points.
+const BESIDES: f32 = 270.0;
 /// With less room than this, in points, the title would be a few letters or none.
 const TITLE: f32 = 60.0;
 /// Less room than this is not worth the numbers of sections, in points.
@@ -106,7 +106,7 @@ pub fn ui(ui: &mut Ui, workbench: &Workbench) -> Option<Action> {
 /// The program's name, the menus, the scene's title and the layouts.
 fn upper_line(ui: &mut Ui, workbench: &Workbench) -> Option<Action> {
     let open = workbench.scene();
-    let is_narrow = ui.available_width() < NARROW;
+    let is_narrow = ui.available_width() < BESIDES + buttons_width(ui);
     ui.spacing_mut().item_spacing.x = 4.0;
     if workbench.dock.room() != Room::Enough {
         let scene = workbench.menu.ui(ui, open.map_or("", |open| &open.name)).map(Action::Choose);
@@ -122,6 +122,16 @@ fn upper_line(ui: &mut Ui, workbench: &Workbench) -> Option<Action> {
         chosen
     });
     scene.or(menu.or(layout.inner).map(Action::Run))
+}
+
+/// The width of all menus and layouts in the language that is spoken.
+fn buttons_width(ui: &Ui) -> f32 {
+    let font = TextStyle::Button.resolve(ui.style());
+    let width = |word: &str| ui.painter().layout_no_wrap(say(ui.ctx(), word), font.clone(), Color32::WHITE).size().x;
+    let menus = Command::areas().into_iter().map(|(word, _)| word);
+    let words: Vec<f32> = menus.chain(Preset::ALL.map(Preset::word)).map(width).collect();
+    let around = 2.0 * ui.spacing().button_padding.x + 4.0;
+    words.iter().sum::<f32>() + around * words.len() as f32
 }
 
 /// A button for each layout, from right to left.

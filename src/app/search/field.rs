@@ -2,12 +2,17 @@
 
 use crate::app::frame::theme::Palette;
 use crate::app::frame::words::say;
-use crate::query::{Query, QueryError, Vocabulary, complete};
+use crate::query::{Completion, Query, QueryError, Vocabulary, complete};
 use egui::text::{LayoutJob, TextFormat};
 use egui::{
     CompletionPopup, CompletionQuery, FontId, Id, RectAlign, RichText, Stroke, Suggestion, TextBuffer, TextEdit,
     TextStyle, Ui,
 };
+
+/// Letters between a completion and its meaning.
+const GAP: usize = 6;
+/// A meaning of fewer letters would tell nothing.
+const LEAST: usize = 12;
 
 /// The field with what was typed.
 #[derive(Default)]
@@ -76,7 +81,8 @@ impl Field {
             .word_boundary(|c| c.is_whitespace() || "&|!()=<>≤≥≠".contains(c))
             .align(RectAlign::BOTTOM_START)
             .max_height(260.0);
-        let output = popup.show(ui, edit, |query| suggestions(query, vocabulary));
+        let columns = columns(ui);
+        let output = popup.show(ui, edit, |query| suggestions(query, vocabulary, columns));
         let response = output.text_edit.response.response;
         // What lay over the window in the frame before, as the palette did, still keeps the focus to itself.
         self.wants_focus &= !response.has_focus();
@@ -116,8 +122,26 @@ fn marked(ui: &Ui, text: &str, error: Option<&(String, QueryError)>) -> LayoutJo
     job
 }
 
+/// About how many letters stand beside each other in the list of completions.
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a window is a few thousand points")]
+fn columns(ui: &Ui) -> usize {
+    let letter = 0.56 * TextStyle::Button.resolve(ui.style()).size;
+    (ui.available_width().max(0.0) / letter) as usize
+}
+
+/// A completion with its meaning, as far as there is room beside it.
+fn suggestion(completion: Completion, columns: usize) -> Suggestion {
+    let room = columns.saturating_sub(completion.text.chars().count() + GAP);
+    let meaning = match completion.meaning.chars().count() {
+        count if count <= room => completion.meaning,
+        _ if room < LEAST => String::new(),
+        _ => completion.meaning.chars().take(room - 1).chain(['…']).collect(),
+    };
+    Suggestion::new(completion.text).description(meaning)
+}
+
 /// What may stand at the cursor; nothing where a whole question ends.
-fn suggestions(query: &CompletionQuery, vocabulary: &Vocabulary) -> Vec<Suggestion> {
+fn suggestions(query: &CompletionQuery, vocabulary: &Vocabulary, columns: usize) -> Vec<Suggestion> {
     let byte = |character: usize| query.text.char_indices().nth(character).map_or(query.text.len(), |(byte, _)| byte);
     let [start, cursor] = [query.word_range.start, query.word_range.end].map(|index| byte(index.0));
     if query.text.trim().is_empty() || (query.word.is_empty() && Query::parse(query.text).is_ok()) {
@@ -126,8 +150,9 @@ fn suggestions(query: &CompletionQuery, vocabulary: &Vocabulary) -> Vec<Suggesti
     let all = complete(query.text, cursor, vocabulary);
     let here = all.into_iter().filter(|completion| completion.replaces.start == start);
     let mut here: Vec<_> = here.collect();
-    if matches!(here.as_slice(), [only] if only.text == query.word) {
+    let is_whole = here.iter().any(|completion| completion.text == query.word);
+    if is_whole && (here.len() == 1 || Query::parse(query.text).is_ok()) {
         here.clear();
     }
-    here.into_iter().map(|completion| Suggestion::new(completion.text).description(completion.meaning)).collect()
+    here.into_iter().map(|completion| suggestion(completion, columns)).collect()
 }

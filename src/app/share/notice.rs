@@ -3,7 +3,7 @@
 use super::saving::Saving;
 use crate::app::frame::theme::Palette;
 use crate::app::frame::words::say;
-use egui::{Align2, Context, Id, Label, ProgressBar, RichText, Window, vec2};
+use egui::{Align2, Context, Id, Key, Label, ProgressBar, RichText, Window, vec2};
 
 /// Width of the notice, in points.
 const WIDTH: f32 = 380.0;
@@ -45,7 +45,8 @@ pub fn ui(ctx: &Context, saving: &mut Option<Saving>, notice: &mut Option<Notice
         } else if let Some(told) = notice {
             let (sign, colour) = if told.is_good { ("✓", palette.text) } else { ("✗", palette.problem) };
             ui.add(Label::new(RichText::new(format!("{sign} {}", told.text)).color(colour)).wrap().selectable(true));
-            given_up = ui.button(say(ctx, "share-close")).clicked();
+            given_up =
+                ui.button(say(ctx, "share-close")).clicked() || ctx.input(|input| input.key_pressed(Key::Escape));
         }
         if given_up {
             *saving = None;
