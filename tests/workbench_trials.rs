@@ -101,12 +101,14 @@ fn a_number_that_is_typed_into_the_properties_arrives_whole() {
     let mut bench = open_editor("hello/sphere");
     put_cursor(&mut bench, "\"key light\"", false);
     reveal(&mut bench, Pane::Properties);
-    let field = bench.get_by_label("point z").rect();
-    click(&mut bench, field.center());
+    let place = |bench: &Bench| bench.get_by_label("point z").rect();
+    let field = place(&bench).center();
+    click(&mut bench, field);
+    let top = place(&bench).top();
     for digit in ["1", "2"] {
         type_text(&mut bench, digit);
         follow(&mut bench);
-        assert_eq!(bench.get_by_label("point z").rect().top(), field.top(), "it stays where it is");
+        assert_eq!(place(&bench).top(), top, "it stays where it is");
     }
     let scene: serde_json::Value = serde_json::from_str(&text(&bench)).expect("JSON");
     assert_eq!(scene["lights"][0]["point"][2].as_f64(), Some(12.0), "{}", scene["lights"][0]);

@@ -205,6 +205,8 @@ struct Bracket {
 
 /// What one pass over the tree finds.
 struct Survey {
+    /// The events whose outcome is not told, as they go on behind what is.
+    under_way: Vec<EventId>,
     brackets: Vec<Bracket>,
     /// For each notable kind how often it happened, and for each place of its line the first time.
     notable: [(usize, Vec<Option<EventId>>); 6],
@@ -215,6 +217,7 @@ struct Survey {
 impl Survey {
     fn of(tree: &RayTree, told: EventId, scale: &TimelineScale) -> Self {
         let mut survey = Self {
+            under_way: if told < tree.end() { tree.path(told - 1) } else { Vec::new() },
             brackets: vec![Bracket { event: 0, end: told, kind: RayKind::Camera, lane: 0 }],
             notable: std::array::from_fn(|_| (0, vec![None; scale.slots(SIGN)])),
             bars: Vec::new(),
@@ -243,7 +246,7 @@ impl Survey {
 
     fn count(&mut self, event: &Event, owner: u32, scale: &TimelineScale) {
         let x = scale.x(event.id);
-        if let Some(kind) = Notable::of(&event.what) {
+        if let Some(kind) = Notable::of(&event.what).filter(|_| !self.under_way.contains(&event.id)) {
             let (count, places) = &mut self.notable[kind as usize];
             *count += 1;
             places[scale.slot(x, SIGN)].get_or_insert(event.id);

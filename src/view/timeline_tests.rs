@@ -182,9 +182,9 @@ fn nothing_is_said_of_events_that_are_not_told() {
     let tree = many(20, 9);
     let limit = tree.events.iter().find(|event| matches!(event.what, What::Limit { .. })).unwrap().id;
     let drawn = |told: EventId| timeline(Timed { told, ..timed(&tree, &[4, 30], None) }, SIZE, Theme::Light).unwrap();
-    let (before, behind) = (drawn(limit), drawn(limit + 1));
-    assert_eq!(signs(&before, "⊘"), []);
+    let (at, behind) = (drawn(limit + 1), drawn(limit + 2));
+    assert_eq!(signs(&at, "⊘"), [], "the last one is told without what came of it");
     assert_eq!(signs(&behind, "⊘"), [None, Some(limit)]);
-    assert!(before.marks.iter().all(|mark| mark.event < Some(limit)), "the flag at event 30 is not told either");
-    assert!(!before.description.contains("limit met"), "{}", before.description);
+    assert!(at.marks.iter().all(|mark| mark.event <= Some(limit)), "the flag at event 30 is not told either");
+    assert!(!at.description.contains("limit met"), "{}", at.description);
 }
