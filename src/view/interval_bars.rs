@@ -25,6 +25,9 @@ const LEAST_PITCH: f64 = 8.0;
 /// Between two names of boundaries in a line; closer, they read as one.
 const BETWEEN: f64 = 3.0;
 
+/// Between the name of a boundary and the line that goes up or down at it.
+const ASIDE: f64 = 3.0;
+
 /// Slices in which an unbounded end fades out.
 const FADE_STEPS: u32 = 7;
 
@@ -175,11 +178,11 @@ impl Bars {
 
     fn lists(&mut self, top: f64, heads: &[String; 3], lists: [Option<&Vec<Span>>; 3], hit: Option<(EventId, f64)>) {
         let bottom = self.drawing.height - 34.0 - LAST_LABELS;
-        let pitch = ((bottom - top) / 3.0).min(84.0);
+        let pitch = ((bottom - top) / 3.0).min(110.0);
         if pitch < LEAST_PITCH {
             return;
         }
-        let thick = (pitch * 0.34).clamp(7.0, 20.0);
+        let thick = (pitch * 0.34).clamp(7.0, 26.0);
         let colours = [self.palette.left, self.palette.right, self.palette.combined];
         let middles = [0.5, 1.5, 2.5].map(|rows| top + pitch * rows);
         let base = top + pitch * 3.0 + LAST_LABELS;
@@ -281,6 +284,7 @@ impl Bars {
             let x = self.axis.at(t);
             let stroke = Stroke::solid(colour, 1.4);
             self.drawing.put(Form::Line { points: vec![[x, top - 2.0], [x, base]], stroke }, event);
+            self.placer.avoid_line([x, top - 2.0], [x, base]);
             for (side, anchor) in [(0.0, Anchor::Middle), (-3.0, Anchor::Start), (3.0, Anchor::End)] {
                 let label = Label::new(name.clone(), SMALL, colour);
                 if self.placer.put_at(&mut self.drawing, label.at([x + side, base + 25.0], anchor, None), event) {
@@ -363,21 +367,35 @@ impl Bars {
         };
         let long = format!("{}  {} of {}{turned}", brief(edge.t), edge.part, edge.name);
         let middling = format!("{}  {}", brief(edge.t), edge.name);
-        for text in [long, middling, brief(edge.t)] {
-            for y in heights {
-                for anchor in [outward, Anchor::Middle, Anchor::Start, Anchor::End] {
-                    let label = Label::new(text.clone(), SMALL, self.palette.ink);
-                    let text: Text = label.at([x, y], anchor, Some(self.palette.ground));
-                    let Frame { low, high } = text.frame();
-                    let clear = Frame { low: [low[0] - BETWEEN, low[1]], high: [high[0] + BETWEEN, high[1]] };
-                    if low[0] >= self.axis.points[0] - 6.0
-                        && self.placer.is_free(&clear)
-                        && self.placer.put_at(&mut self.drawing, text, Some(self.event))
-                    {
-                        return;
-                    }
+        let texts = [long, middling, brief(edge.t)];
+        // A shorter name that is clear of the upright lines is read more easily than a long one across them.
+        if !texts.iter().any(|text| self.edge_name(text, x, heights, outward, true)) {
+            let _ = texts.iter().any(|text| self.edge_name(text, x, heights, outward, false));
+        }
+    }
+
+    /// Writes a name above or below the end of a bar, if that is free, or even `clear` of all lines.
+    fn edge_name(&mut self, text: &str, x: f64, heights: [f64; 2], outward: Anchor, clear: bool) -> bool {
+        for y in heights {
+            for anchor in [outward, Anchor::Middle, Anchor::Start, Anchor::End] {
+                let aside = match anchor {
+                    Anchor::Start => ASIDE,
+                    Anchor::Middle => 0.0,
+                    Anchor::End => -ASIDE,
+                };
+                let label = Label::new(text, SMALL, self.palette.ink);
+                let text: Text = label.at([x + aside, y], anchor, Some(self.palette.ground));
+                let Frame { low, high } = text.frame();
+                let around = Frame { low: [low[0] - BETWEEN, low[1]], high: [high[0] + BETWEEN, high[1]] };
+                if low[0] >= self.axis.points[0] - 6.0
+                    && self.placer.is_free(&around)
+                    && (!clear || self.placer.is_clear(&text.frame()))
+                    && self.placer.put_at(&mut self.drawing, text, Some(self.event))
+                {
+                    return true;
                 }
             }
         }
+        false
     }
 }

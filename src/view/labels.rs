@@ -99,6 +99,11 @@ impl Placer {
         self.outlines.extend(points.windows(2).map(|ends| [ends[0], ends[1]]));
     }
 
+    /// Takes back all of those: what is labelled next stands elsewhere.
+    pub fn forget_outlines(&mut self) {
+        self.outlines.clear();
+    }
+
     /// Keeps labels off a spot where there is a choice.
     pub fn avoid_spot(&mut self, at: Spot, radius: f64) {
         self.spots.push(Frame { low: at, high: at }.grown(radius));

@@ -14,18 +14,20 @@ use super::labels::{Label, shortened};
 use super::palette::{Colour, Theme};
 use super::sheet::{SMALL, Sheet, TEXT, is_roomy};
 use super::text::{brief, times};
-use crate::record::{EventId, Span, What};
+use crate::record::{Edge, EventId, Span, What};
 use crate::scene::Scene;
 use crate::trace::RayTree;
 use rows::{Row, rows};
 use std::fmt::Write as _;
 
 /// The heights of rows, in points: lower ones could not be read, higher ones would lie too far apart to be compared.
-const PITCH: [f64; 2] = [14.0, 44.0];
+const PITCH: [f64; 2] = [14.0, 64.0];
 /// Room below the rows for the numbers of the axis and the names of the marked times.
 const BELOW: f64 = 34.0;
 /// How far operands are set in.
 const INDENT: f64 = 12.0;
+/// Between the end of a bar, or an upright line, and the number beside it.
+const ASIDE: f64 = 4.0;
 
 /// The bars of the object that `selected` belongs to. `probe_t` marks one more time on the axis.
 #[must_use]
@@ -54,7 +56,7 @@ pub fn csg_bars(
     let lists: Vec<&[Span]> = rows.iter().filter_map(|row| row.spans.as_deref().ok()).collect();
     let lit = lit(&story, &rows, selected);
     if is_roomy(&room) {
-        let bars = Bars::new(room, &rows, range(&lists, hit), lit);
+        let bars = Bars::new(room, &rows, range(&lists, hit), lit, [hit.map(|(_, t)| t), probe_t]);
         bars.draw(&mut sheet, &rows, hit, probe_t);
     }
     Some(sheet.drawing)
@@ -93,10 +95,12 @@ struct Bars {
     first: usize,
     shown: usize,
     lit: Option<usize>,
+    /// The places of the upright lines.
+    upright: Vec<f64>,
 }
 
 impl Bars {
-    fn new(room: Frame, rows: &[Row], values: [f64; 2], lit: Option<usize>) -> Self {
+    fn new(room: Frame, rows: &[Row], values: [f64; 2], lit: Option<usize>, marked: [Option<f64>; 2]) -> Self {
         let widest = rows.iter().map(|row| INDENT * row.depth as f64 + text_width(&title(row), TEXT, Face::Sans));
         let column = (widest.fold(0.0, f64::max) + 8.0).min(0.36 * room.size()[0]);
         let height = room.size()[1] - BELOW;
@@ -105,8 +109,10 @@ impl Bars {
         let pitch = (height / most as f64).clamp(PITCH[0], PITCH[1]);
         // The lit row stays in sight, with what lies above it as long as there is room.
         let first = lit.unwrap_or(0).saturating_sub(most / 2).min(rows.len() - most);
-        let axis = Axis { values, points: [room.low[0] + column + 6.0, room.high[0] - 6.0] };
-        Self { room, axis, pitch, first, shown: most, lit }
+        let axis = with_room_for_numbers(values, [room.low[0] + column + 6.0, room.high[0] - 6.0], rows);
+        let marked = [Some(0.0)].into_iter().chain(marked).flatten().filter(|t| axis.shows(*t));
+        let upright = marked.map(|t| axis.at(t)).collect();
+        Self { room, axis, pitch, first, shown: most, lit, upright }
     }
 
     fn middle(&self, index: usize) -> f64 {
@@ -160,7 +166,7 @@ impl Bars {
         let y = self.middle(index);
         let stroke = Stroke::solid(sheet.palette.grid, 1.0);
         sheet.drawing.put(Form::Line { points: vec![[left, y], [right, y]], stroke }, row.event);
-        let thick = (0.44 * self.pitch).clamp(6.0, 16.0);
+        let thick = (0.44 * self.pitch).clamp(6.0, 22.0);
         let Ok(spans) = &row.spans else {
             self.never_asked(sheet, row, y, thick);
             return;
@@ -231,15 +237,27 @@ impl Bars {
                 self.say(sheet, row, text, middle, y, colour);
             }
             Ok(spans) => {
-                for (edge, side, anchor) in
-                    spans.iter().flat_map(|span| [(&span.enter, -4.0, Anchor::End), (&span.leave, 4.0, Anchor::Start)])
-                {
+                for (edge, outward) in spans.iter().flat_map(|span| [(&span.enter, -1.0), (&span.leave, 1.0)]) {
                     if let Some(edge) = edge.as_ref().filter(|edge| self.axis.shows(edge.t)) {
-                        let text = beside(&brief(edge.t), [self.axis.at(edge.t) + side, y], anchor, sheet);
-                        sheet.placer.put_at(&mut sheet.drawing, text, row.event);
+                        self.number(sheet, row, edge.t, y, outward);
                     }
                 }
             }
+        }
+    }
+
+    /// A time beside the end of a bar; beyond an upright line that would go through it.
+    fn number(&self, sheet: &mut Sheet, row: &Row, t: f64, y: f64, outward: f64) {
+        let (x, number) = (self.axis.at(t), brief(t));
+        let anchor = if outward < 0.0 { Anchor::End } else { Anchor::Start };
+        let at = |x: f64, sheet: &Sheet| beside(&number, [x + outward * ASIDE, y], anchor, sheet);
+        let text = at(x, sheet);
+        let frame = text.frame();
+        let within = |line: &&f64| frame.low[0] - 1.0 < **line && **line < frame.high[0] + 1.0;
+        let beyond = self.upright.iter().find(within).map(|line| at(*line, sheet));
+        let is_put = beyond.is_some_and(|text| sheet.placer.put_at(&mut sheet.drawing, text, row.event));
+        if !is_put {
+            sheet.placer.put_at(&mut sheet.drawing, text, row.event);
         }
     }
 
@@ -296,6 +314,22 @@ impl Bars {
         }
         sheet.write("t", [left - 8.0, base + 11.0], Anchor::Middle, TEXT, faint);
     }
+}
+
+/// An axis on which the numbers beside the outermost ends find room, too.
+fn with_room_for_numbers(values: [f64; 2], [left, right]: [f64; 2], rows: &[Row]) -> Axis {
+    let axis = Axis { values, points: [left, right] };
+    let spans = || rows.iter().filter_map(|row| row.spans.as_ref().ok()).flatten();
+    let reach = |t: f64| text_width(&brief(t), SMALL, Face::Sans) + ASIDE;
+    let seen = |edge: &&Edge| axis.shows(edge.t);
+    let before =
+        spans().filter_map(|span| span.enter.as_ref()).filter(seen).map(|edge| reach(edge.t) - axis.at(edge.t) + left);
+    let after =
+        spans().filter_map(|span| span.leave.as_ref()).filter(seen).map(|edge| reach(edge.t) + axis.at(edge.t) - right);
+    // Narrow drawings keep most of their width for the bars.
+    let most = 0.12 * (right - left);
+    let points = [left + before.fold(0.0, f64::max).min(most), right - after.fold(0.0, f64::max).min(most)];
+    Axis { values, points }
 }
 
 /// The operator's sign and the node's name.

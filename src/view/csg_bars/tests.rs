@@ -66,6 +66,30 @@ fn bars_end_at_the_axis_place_of_their_times() {
 }
 
 #[test]
+fn no_number_stands_on_an_upright_line() {
+    let (scene, tree) = (scene(), tree(0.0));
+    for probe in [7.95, 8.45, 8.55, 9.55, 10.05] {
+        let drawing = csg_bars(&scene, &tree, 0, Some(probe), [600.0, 300.0], Theme::Light).unwrap();
+        let upright = |form: &Form| match form {
+            Form::Line { points, .. } if points[0][0] == points[1][0] && points[1][1] - points[0][1] > 40.0 => {
+                Some(points.clone())
+            }
+            _ => None,
+        };
+        let lines: Vec<Vec<Spot>> = drawing.marks.iter().filter_map(|mark| upright(&mark.form)).collect();
+        assert!(lines.len() >= 2, "the hit and the probe");
+        for text in drawing.texts() {
+            let frame = text.frame();
+            for line in &lines {
+                let within = frame.low[0] < line[0][0] && line[0][0] < frame.high[0];
+                let beside = frame.low[1] < line[1][1] && line[0][1] < frame.high[1];
+                assert!(!(within && beside), "“{}” stands on a line, with {probe} probed", text.text);
+            }
+        }
+    }
+}
+
+#[test]
 fn what_was_never_asked_says_why() {
     // Through the corner of the ball's box, past the ball.
     let told = csg_bars(&scene(), &tree(0.9), 0, None, [600.0, 300.0], Theme::Light).unwrap().description;

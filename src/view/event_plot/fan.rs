@@ -5,7 +5,7 @@ use crate::math::portable;
 use crate::optics::pure;
 use crate::record::{EventId, Wavelength, What};
 use crate::trace::RayTree;
-use crate::view::sheet::{Chart, Fact, Sheet, bounds, is_roomy, shown};
+use crate::view::sheet::{Chart, Fact, Sheet, bounds, is_roomy, seen_on, shown};
 use crate::view::text::{brief, degrees};
 use crate::view::{Colour, Form, Frame, Spot, Stroke};
 use glam::DVec3;
@@ -102,15 +102,15 @@ fn facts(sheet: &Sheet, all: &[(EventId, &Wavelength)], own: &Wavelength) -> Vec
         }
         told.push(*id);
         let angle = one.theta2.map_or("reflected".to_owned(), |angle| format!("θ₂ = {}", degrees(angle)));
-        facts.push(Fact::Swatch(colour_of(one), format!("{name}, {} nm: {angle}", brief(one.nanometres))));
+        facts.push(Fact::Swatch(colour_of(sheet, one), format!("{name}, {} nm: {angle}", brief(one.nanometres))));
     }
     facts
 }
 
-/// Light of the wavelength as a screen shows it best: its hue, at full strength.
-fn colour_of(one: &Wavelength) -> Colour {
+/// Light of the wavelength as a screen shows it best: its hue, at full strength and clear of the ground.
+fn colour_of(sheet: &Sheet, one: &Wavelength) -> Colour {
     let colour = pure(one.nanometres).max(DVec3::ZERO);
-    shown((colour / colour.max_element().max(1e-9)).to_array())
+    seen_on(sheet.palette.ground, shown((colour / colour.max_element().max(1e-9)).to_array()))
 }
 
 /// The interface as a level line, with the ray from the upper left and all that goes on below.
@@ -141,7 +141,7 @@ fn rays(sheet: &mut Sheet, all: &[(EventId, &Wavelength)], own: &Wavelength, fan
         if is_own {
             sheet.line(room, &[foot, end], Stroke::solid(ink, 5.2));
         }
-        sheet.line(room, &[foot, end], Stroke::solid(colour_of(one), if is_own { 3.0 } else { 1.7 }));
+        sheet.line(room, &[foot, end], Stroke::solid(colour_of(sheet, one), if is_own { 3.0 } else { 1.7 }));
     }
     sheet.event = own_event;
     let start = along(reach, own.theta1, -1.0);
@@ -196,7 +196,7 @@ fn curve(sheet: &mut Sheet, all: &[(EventId, &Wavelength)], own: &Wavelength, ro
             sheet.mark(&frame, place, 6.0, sheet.palette.ink);
         }
         sheet.event = *id;
-        sheet.mark(&frame, place, if is_own { 4.6 } else { 3.4 }, colour_of(one));
+        sheet.mark(&frame, place, if is_own { 4.6 } else { 3.4 }, colour_of(sheet, one));
         sheet.event = own_event;
     }
     sheet.axes(&chart, ["λ in nm", if beyond { "n₂ by wavelength" } else { "n₁ by wavelength" }], false);

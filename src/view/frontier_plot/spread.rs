@@ -40,7 +40,7 @@ const ON_LEADER: f64 = 24.0;
 const CROSSING: f64 = 11.0;
 const LEADER_ON_MARKER: f64 = 5.0;
 const STRANGER: f64 = 7.0;
-const ON_FRONTIER: f64 = 4.0;
+const ON_FRONTIER: f64 = 12.0;
 const ON_BAR: f64 = 3.0;
 const ON_LINE: f64 = 0.7;
 /// What is dearer than this goes into the column.

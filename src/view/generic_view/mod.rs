@@ -9,11 +9,11 @@ mod space;
 mod tests;
 
 use super::drawing::{Anchor, Drawing, Frame, Spot, Stroke};
-use super::fonts::Face;
+use super::fonts::{Face, text_width};
 use super::labels::{Label, wrapped};
 use super::palette::Theme;
 use super::primitive_at::PrimitiveAt;
-use super::sheet::{Fact, SMALL, Sheet, is_roomy};
+use super::sheet::{Fact, SMALL, Sheet, TEXT, is_roomy};
 use super::text::{brief, brief_vector, titled};
 use crate::record::{CandidateFate, EventId, format_number};
 use crate::scene::Scene;
@@ -91,13 +91,30 @@ fn matrix(sheet: &mut Sheet, room: Frame, subject: &Subject) -> Frame {
         return room;
     }
     let mut facts = vec![Fact::words("M⁻¹, world to generic")];
-    for [a, b, c, d] in subject.at.inverse {
-        facts.push(Fact::words(format!("{}  {}  {}  |  {}", brief(a), brief(b), brief(c), brief(d))));
+    let cells = subject.at.inverse.map(|row| row.map(brief));
+    for row in &cells {
+        let [a, b, c, d] = std::array::from_fn(|i| padded(&row[i], &cells.each_ref().map(|row| row[i].as_str())));
+        facts.push(Fact::words(format!("{a}  {b}  {c}  |  {d}")));
     }
     facts.push(Fact::words("S = M⁻¹ origin"));
     facts.push(Fact::words("c = M⁻¹ direction"));
     facts.push(Fact::words("t is the same in both spaces"));
     sheet.facts(room, &facts).0
+}
+
+/// A number with as much space before it as makes it as wide as the widest of its column.
+fn padded(number: &str, column: &[&str]) -> String {
+    /// As wide as a digit, as a point, and narrower than any sign.
+    const SPACES: [char; 3] = ['\u{2007}', '\u{2008}', '\u{200a}'];
+    let width = |text: &str| text_width(text, TEXT, Face::Sans);
+    let widest = column.iter().map(|other| width(other)).fold(0.0, f64::max) + 1e-6;
+    let mut padded = number.to_owned();
+    for space in SPACES {
+        while width(&format!("{space}{padded}")) <= widest {
+            padded.insert(0, space);
+        }
+    }
+    padded
 }
 
 /// What a half shows, at its foot, set off from the ray.

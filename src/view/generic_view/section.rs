@@ -5,7 +5,8 @@ use crate::csg::{Leaf, Placement, Solid};
 use crate::math::portable;
 use crate::shape::{Bounds, Primitive, Shape};
 use crate::view::axis::round_step;
-use crate::view::drawing::{Anchor, Frame, Spot, Stroke};
+use crate::view::drawing::{Anchor, Form, Frame, Spot, Stroke};
+use crate::view::labels::Label;
 use crate::view::sheet::{SMALL, Sheet};
 use crate::view::side_view::{PlaneView, section};
 use crate::view::text::brief;
@@ -120,11 +121,21 @@ fn caption(sheet: &mut Sheet, frame: &Frame, plane: &PlaneView) {
     subtitle(sheet, frame, &text);
     let length = round_step(40.0 / plane.scale);
     let points = length * plane.scale;
-    let (right, y) = (frame.high[0] - 6.0, frame.high[1] - 4.0);
-    let bar = [[right - points, y - 3.0], [right - points, y], [right, y], [right, y - 3.0]];
-    if points < 0.4 * frame.size()[0]
-        && sheet.write(&brief(length), [right - points - 5.0, y - 3.0], Anchor::End, SMALL, faint)
-    {
-        sheet.line(frame, &bar, Stroke::solid(faint, 1.2));
+    if points >= 0.4 * frame.size()[0] {
+        return;
+    }
+    // At the right, or as far from it as the ray and its names leave room.
+    let y = frame.high[1] - 4.0;
+    let number = Label::new(brief(length), SMALL, faint);
+    for right in [6.0, 66.0, 126.0, 186.0].map(|aside| frame.high[0] - aside) {
+        let text = number.at([right - points - 5.0, y - 3.0], Anchor::End, None);
+        let whole = Frame { low: text.frame().low, high: [right, text.frame().high[1].max(y)] };
+        if whole.low[0] > frame.low[0] && sheet.placer.is_clear(&whole) {
+            let bar = [[right - points, y - 3.0], [right - points, y], [right, y], [right, y - 3.0]];
+            sheet.line(frame, &bar, Stroke::solid(faint, 1.2));
+            sheet.placer.reserve(whole);
+            sheet.drawing.put(Form::Text(text), None);
+            return;
+        }
     }
 }

@@ -81,6 +81,18 @@ fn nothing_covers_anything_at_any_size() {
 }
 
 #[test]
+fn in_space_all_three_axes_of_a_cube_have_their_names() {
+    let (scene, tree, hit) = recorded("primitives/cube");
+    for size in [[400.0, 300.0], [300.0, 500.0]] {
+        let options = GenericViewOptions { size, theme: Theme::Light, look: GenericLook::Space, probe_t: None };
+        let drawing = generic_view(&scene, &tree, hit, &options).unwrap();
+        for name in ["x", "y", "z"] {
+            assert!(drawing.texts().any(|text| text.text == name), "{name} in {size:?}");
+        }
+    }
+}
+
+#[test]
 fn a_tree_of_another_scene_shows_nothing() {
     let (_, tree, hit) = recorded("primitives/torus");
     let (other, ..) = recorded("primitives/cube");

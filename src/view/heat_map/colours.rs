@@ -8,6 +8,7 @@
 use super::{HeatMap, HeatScale};
 use crate::math::portable;
 use crate::view::palette::{Colour, Palette};
+use crate::view::scene_colour::is_dark;
 
 /// Shades of a scale: more could not be told apart, and make larger files.
 pub const SHADES: usize = 64;
@@ -21,6 +22,9 @@ const VIRIDIS: [[f64; 3]; 7] = [
     [4.776_384_997_670_288, -13.745_145_377_746_01, -65.353_032_633_372_34],
     [-5.435_455_855_934_631, 4.645_852_612_178_535, 26.312_435_249_583_2],
 ];
+
+/// Where the scale begins on a dark ground, from which the darkest colours of viridis could hardly be told.
+const FIRST_ON_DARK: f64 = 0.24;
 
 /// The colour of a share, from 0 (dark) to 1 (light).
 pub fn viridis(share: f64) -> Colour {
@@ -122,7 +126,10 @@ impl Paint {
     /// Its colour.
     pub fn colour(self, palette: &Palette) -> Colour {
         match self {
-            Self::Shade(k) => viridis(k as f64 / (SHADES - 1) as f64),
+            Self::Shade(k) => {
+                let first = if is_dark(palette.ground) { FIRST_ON_DARK } else { 0.0 };
+                viridis(first + (1.0 - first) * k as f64 / (SHADES - 1) as f64)
+            }
             Self::Class(k) => CLASSES[k.min(CLASSES.len() - 1)],
             Self::Kind(k) => kind(k),
             Self::Direction(levels) => {

@@ -68,7 +68,7 @@ pub fn overview(
     let sheet = Sheet::new(options.size, options.theme, step);
     let frame = sheet.drawing.frame();
     let sight = Sight::of(scene, wires, options, &frame.grown(-MARGIN));
-    let mut view = Overview { sheet, frame, sight, scene, wires, tree, step, flights: &flights };
+    let mut view = Overview { sheet, frame, sight, scene, wires, tree, step, flights: &flights, seen: Vec::new() };
     view.objects();
     view.camera();
     view.lights();
@@ -95,6 +95,8 @@ struct Overview<'a> {
     tree: &'a RayTree,
     step: EventId,
     flights: &'a Flights,
+    /// The lines of each object that face the reader, as they lie on the drawing.
+    seen: Vec<(usize, Vec<Spot>)>,
 }
 
 impl Overview<'_> {

@@ -102,6 +102,7 @@ impl Overview<'_> {
         if is_current && self.frame.contains(spot) {
             self.sheet.event = event;
             let ink = self.sheet.palette.ink;
+            self.avoid_lines_about(spot);
             self.sheet.write_near(&format!("t = {}", brief(t)), spot, 7.0, ink);
             self.sheet.event = self.step;
         }

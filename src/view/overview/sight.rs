@@ -64,11 +64,12 @@ impl Sight {
             Stand::Orbit { yaw, pitch } => {
                 let (target, radius) = content(scene, wires);
                 let [right, up, forward] = orbit_frame(scene, yaw, pitch);
-                let scale = FILLING * 0.5 * room[0].min(room[1]) / radius * zoom;
                 let distance = DISTANCE * radius;
                 let is_perspective = options.is_perspective;
                 let eye = if is_perspective { target - forward * distance } else { target };
-                let scale = if is_perspective { scale * distance } else { scale };
+                let orbit = Orbit { target, axis: view_up(&scene.camera), up, forward, eye, is_perspective };
+                let usual = 0.5 * room[0].min(room[1]) / radius * if is_perspective { distance } else { 1.0 };
+                let scale = orbit.fitting(scene, wires, radius, room).clamp(LEAST * usual, MOST * usual) * zoom;
                 Self { eye, right, up, forward, scale, centre, is_perspective }
             }
         }
@@ -129,8 +130,10 @@ impl Sight {
 /// The scene's eye is left out when it is farther from the objects than this many times their size: they would be a speck.
 const FAR_EYE: f64 = 4.0;
 
-/// What is seen is drawn larger by this than the ball around it would allow: its corners seldom lie in the drawing's corners.
-const FILLING: f64 = 1.25;
+/// How much smaller or larger the scene is drawn than the ball around what has bounds would allow. Smaller, a wide floor would
+/// leave little of what stands on it; larger, what lies near the eye would look drawn out.
+const LEAST: f64 = 0.5;
+const MOST: f64 = 1.9;
 
 /// How far the eye of an orbit is away, in radii of what is seen. Nearer, things at the rim look drawn out.
 const DISTANCE: f64 = 3.2;
@@ -164,4 +167,59 @@ fn content(scene: &Scene, wires: &Wireframe) -> (DVec3, f64) {
         (low, high) = (low.min(eye), high.max(eye));
     }
     ((low + high) * 0.5, (0.5 * (high - low).length()).max(1e-9))
+}
+
+/// An orbit, whose scale is the same wherever on it one stands: things would swell and shrink as the scene is turned.
+struct Orbit {
+    target: DVec3,
+    axis: DVec3,
+    up: DVec3,
+    forward: DVec3,
+    eye: DVec3,
+    is_perspective: bool,
+}
+
+/// Stations of an orbit at which it is looked how large a place can be drawn.
+const STATIONS: u32 = 16;
+/// Places nearer to the eye than this share of the orbit's radius may be cut off.
+const NEAREST: f64 = 0.2;
+
+impl Orbit {
+    /// The largest scale at which everything stays within the room all the way round.
+    fn fitting(&self, scene: &Scene, wires: &Wireframe, radius: f64, room: Spot) -> f64 {
+        let mut boxes: Vec<Option<[DVec3; 2]>> = vec![None; scene.objects.len()];
+        for line in &wires.lines {
+            let Some(around) = boxes.get_mut(line.object) else { continue };
+            for &point in &line.points {
+                let [low, high] = around.unwrap_or([point; 2]);
+                *around = Some([low.min(point), high.max(point)]);
+            }
+        }
+        let corners = boxes.into_iter().flatten().flat_map(|ends| {
+            (0..8).map(move |i| DVec3::from_array(std::array::from_fn(|k| ends[usize::from(i >> k & 1 == 1)][k])))
+        });
+        // An eye far off is no part of what is seen.
+        let eye = Some(scene.camera.eye).filter(|eye| eye.distance(self.target) < 1.01 * radius);
+        corners.chain(eye).map(|point| self.largest(point, room)).fold(f64::INFINITY, f64::min)
+    }
+
+    /// The largest scale at which a place, carried once round the axis, stays within the room.
+    fn largest(&self, point: DVec3, room: Spot) -> f64 {
+        let offset = point - self.target;
+        let height = offset.dot(self.axis);
+        let around = (offset - self.axis * height).length();
+        let level = (self.forward - self.axis * self.forward.dot(self.axis)).normalize_or(self.up);
+        let aside = level.cross(self.axis);
+        let least = NEAREST * self.eye.distance(self.target);
+        let scale = |station: u32| {
+            let (sin, cos) = portable::sin_cos(std::f64::consts::TAU * f64::from(station) / f64::from(STATIONS));
+            let carried = self.target + self.axis * height + (level * cos + aside * sin) * around;
+            let from_eye = carried - self.eye;
+            let depth = if self.is_perspective { from_eye.dot(self.forward).max(least) } else { 1.0 };
+            let across = (from_eye.dot(aside) / depth).abs().max(1e-12);
+            let upward = (from_eye.dot(self.up) / depth).abs().max(1e-12);
+            (0.5 * room[0] / across).min(0.5 * room[1] / upward)
+        };
+        (0..STATIONS).map(scale).fold(f64::INFINITY, f64::min)
+    }
 }

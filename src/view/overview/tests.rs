@@ -61,6 +61,23 @@ fn parallel_lines_stay_parallel_without_perspective() {
 }
 
 #[test]
+fn from_all_round_everything_lies_within_the_drawing() {
+    let (scene, wires, _) = recorded("optics/fishbowl");
+    for yaw in [0.0, 0.7, 2.0, 4.0] {
+        for is_perspective in [false, true] {
+            let stand = Stand::Orbit { yaw, pitch: 0.4 };
+            let options = OverviewOptions { stand, is_perspective, size: [900.0, 500.0], ..OverviewOptions::default() };
+            let sight = overview_sight(&scene, &wires, &options);
+            let frame = Drawing::new(options.size, Theme::Light.palette().ground).frame();
+            for point in wires.lines.iter().flat_map(|line| &line.points) {
+                let spot = sight.place(*point).expect("it lies before the eye");
+                assert!(frame.contains(spot), "{point} is at {spot:?}, from {yaw}");
+            }
+        }
+    }
+}
+
+#[test]
 fn what_lies_behind_the_eye_is_cut_off_and_not_mirrored() {
     let (scene, wires, _) = recorded("csg/bowl");
     let options = OverviewOptions { stand: Stand::Camera, ..OverviewOptions::default() };

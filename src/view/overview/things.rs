@@ -1,12 +1,13 @@
 //! What stands in the scene: objects, camera, lights.
 
 use super::Overview;
-use crate::csg::Extent;
 use crate::math::portable;
 use crate::record::{EventId, What};
 use crate::scene::{Area, LightKind};
-use crate::view::drawing::{Spot, Stroke, length};
+use crate::view::Colour;
+use crate::view::drawing::{Frame, Spot, Stroke, length};
 use crate::view::scene_colour::shown;
+use crate::view::sheet::bounds;
 use crate::view::wireframe::WireLine;
 use glam::DVec3;
 use std::f64::consts::TAU;
@@ -29,18 +30,16 @@ impl Overview<'_> {
                 let stroke = self.stroke(line, selected == Some(line.object), is_near);
                 for run in self.runs(line, is_near) {
                     self.flat_line(&run, stroke, events.get(line.object).copied().flatten());
+                    if is_near {
+                        self.seen.push((line.object, run));
+                    }
                 }
             }
         }
     }
 
     fn stroke(&self, line: &WireLine, is_selected: bool, is_near: bool) -> Stroke {
-        let palette = self.sheet.palette;
-        let object = &self.scene.objects[line.object];
-        let own = shown(self.scene.materials[object.material].diffuse.to_array());
-        let (low, high) = (own.r.min(own.g).min(own.b), own.r.max(own.g).max(own.b));
-        // A colour of its own where it has one that is clear of the ground; greys take one of the palette.
-        let colour = if high - low > 48 { own.mixed(palette.ink, 0.28) } else { palette.categories[line.object % 7] };
+        let colour = self.colour(line.object);
         let width = match (line.is_crease, is_selected) {
             (true, true) => 2.6,
             (true, false) | (false, true) => 1.7,
@@ -51,6 +50,14 @@ impl Overview<'_> {
         } else {
             Stroke::dashed(colour.faded(0.34), 0.6 * width + 0.2, [3.0, 3.0])
         }
+    }
+
+    /// A colour of its own where an object has one that is clear of the ground; greys take one of the palette.
+    fn colour(&self, object: usize) -> Colour {
+        let palette = self.sheet.palette;
+        let own = shown(self.scene.materials[self.scene.objects[object].material].diffuse.to_array());
+        let (low, high) = (own.r.min(own.g).min(own.b), own.r.max(own.g).max(own.b));
+        if high - low > 48 { own.mixed(palette.ink, 0.28) } else { palette.categories[object % 7] }
     }
 
     /// The parts of a line on sides that face the reader, or those on sides that do not.
@@ -179,19 +186,63 @@ impl Overview<'_> {
         }
     }
 
-    /// How large a box is on the drawing, in points.
-    fn seen_size(&self, extent: Extent) -> f64 {
-        let ends = [self.sight.place(extent.low), self.sight.place(extent.high)];
-        let [Some(low), Some(high)] = ends else { return 0.0 };
-        length([high[0] - low[0], high[1] - low[1]])
+    /// Lets a name at a spot keep off the lines around it.
+    pub(super) fn avoid_lines_about(&mut self, spot: Spot) {
+        /// As far as names go from what they name, with half their width.
+        const REACH: f64 = 90.0;
+        /// Among more, no place is better than another.
+        const MOST: usize = 600;
+        let frame = Frame { low: spot, high: spot }.grown(REACH);
+        let lines = self.seen.iter().flat_map(|(_, run)| run.windows(2));
+        self.sheet.placer.forget_outlines();
+        for ends in lines.filter(|ends| frame.contains(ends[0])).take(MOST) {
+            self.sheet.placer.avoid_outline(ends);
+        }
+    }
+
+    /// Where each object that is large enough to be named has its name: in its middle, or, where it lies before, behind or inside
+    /// another one, at the rightmost of its lines.
+    fn named_places(&self) -> Vec<(usize, Spot)> {
+        let frames = self.seen_frames();
+        let mut places = Vec::new();
+        for (object, frame) in frames.iter().enumerate() {
+            let extent = self.scene.objects[object].solid.extent();
+            let Some(frame) = frame.filter(|frame| extent.is_finite() && length(frame.size()) > SMALLEST_NAMED) else {
+                continue;
+            };
+            let middle = self.sight.place((extent.low + extent.high) * 0.5).unwrap_or_else(|| frame.middle());
+            let others = frames.iter().enumerate().filter(|(other, _)| *other != object);
+            let is_alone = !others.filter_map(|(_, other)| *other).any(|other| other.contains(middle));
+            places.extend(if is_alone { Some(middle) } else { self.rightmost(object) }.map(|spot| (object, spot)));
+        }
+        places
+    }
+
+    /// The box around the lines of each object that has bounds.
+    fn seen_frames(&self) -> Vec<Option<Frame>> {
+        let mut frames: Vec<Option<[Spot; 2]>> = vec![None; self.scene.objects.len()];
+        for (object, run) in &self.seen {
+            frames[*object] = bounds(frames[*object].into_iter().flatten().chain(run.iter().copied()));
+        }
+        let is_bounded = |object: usize| self.scene.objects[object].solid.extent().is_finite();
+        let frame = |(object, ends): (usize, Option<[Spot; 2]>)| {
+            ends.filter(|_| is_bounded(object)).map(|[low, high]| Frame { low, high })
+        };
+        frames.into_iter().enumerate().map(frame).collect()
+    }
+
+    fn rightmost(&self, object: usize) -> Option<Spot> {
+        let room = self.frame.grown(-24.0);
+        let lines = self.seen.iter().filter(|(other, _)| *other == object).flat_map(|(_, run)| run).copied();
+        lines.filter(|spot| room.contains(*spot)).max_by(|a, b| a[0].total_cmp(&b[0]))
     }
 
     /// The names of objects, of the eye and of lights, where there is room.
     pub(super) fn names(&mut self) {
         let scene = self.scene;
         let palette = self.sheet.palette;
-        let mut names: Vec<(DVec3, &str, crate::view::Colour, Option<EventId>, f64)> = Vec::new();
-        names.push((scene.camera.eye, "eye", palette.ink, None, 8.0));
+        let mut names: Vec<(Option<Spot>, &str, Colour, Option<EventId>, f64)> = Vec::new();
+        names.push((self.sight.place(scene.camera.eye), "eye", palette.ink, None, 8.0));
         for light in &scene.lights {
             let point = match light.kind {
                 LightKind::Point(point) => point,
@@ -201,17 +252,15 @@ impl Overview<'_> {
                     (low + high) * 0.5 + towards * (0.575 * (high - low).length())
                 }
             };
-            names.push((point, &light.name, palette.shadow, self.light_event(&light.name), 10.0));
+            names.push((self.sight.place(point), &light.name, palette.shadow, self.light_event(&light.name), 10.0));
         }
-        for (index, object) in scene.objects.iter().enumerate() {
-            let extent = object.solid.extent();
-            if extent.is_finite() && self.seen_size(extent) > SMALLEST_NAMED {
-                let colour = palette.faint.mixed(palette.ink, 0.5);
-                names.push(((extent.low + extent.high) * 0.5, &object.name, colour, self.object_event(index), 2.0));
-            }
+        for (index, spot) in self.named_places() {
+            let colour = self.colour(index).mixed(palette.ink, 0.5);
+            names.push((Some(spot), &scene.objects[index].name, colour, self.object_event(index), 4.0));
         }
-        for (point, name, colour, event, gap) in names {
-            if let Some(spot) = self.sight.place(point).filter(|spot| self.frame.grown(-6.0).contains(*spot)) {
+        for (spot, name, colour, event, gap) in names {
+            if let Some(spot) = spot.filter(|spot| self.frame.grown(-6.0).contains(*spot)) {
+                self.avoid_lines_about(spot);
                 self.sheet.event = event.unwrap_or(self.step);
                 self.sheet.write_near(name, spot, gap, colour);
             }

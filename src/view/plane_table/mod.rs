@@ -74,7 +74,7 @@ struct Table<'t> {
 const TIGHT: f64 = 0.8;
 
 /// The heights of rows, in points.
-const PITCH: [f64; 2] = [13.0, 44.0];
+const PITCH: [f64; 2] = [13.0, 60.0];
 
 impl Table<'_> {
     fn current(&self) -> &PlaneRow {
@@ -88,16 +88,16 @@ impl Table<'_> {
     /// The current row, worked out.
     fn note(&self) -> String {
         if let Some(reason) = self.stopped {
-            return format!("stopped: {reason}");
+            return format!("stopped: {}", reason.replace("t_in", "tᵢₙ").replace("t_out", "tₒᵤₜ"));
         }
         let row = self.current();
         let [numerator, denominator] = [row.numerator, row.denominator].map(brief);
         match (row.t, row.sense) {
             (Some(t), PlaneSense::Entering) => {
-                format!("t = {numerator} / {denominator} = {}, entering: t_in = {}", brief(t), open(row.t_in, "−∞"))
+                format!("t = {numerator} / {denominator} = {}, entering: tᵢₙ = {}", brief(t), open(row.t_in, "−∞"))
             }
             (Some(t), _) => {
-                format!("t = {numerator} / {denominator} = {}, leaving: t_out = {}", brief(t), open(row.t_out, "∞"))
+                format!("t = {numerator} / {denominator} = {}, leaving: tₒᵤₜ = {}", brief(t), open(row.t_out, "∞"))
             }
             (None, PlaneSense::ParallelOutside) => format!("m·c = {denominator}: parallel, outside: the ray misses"),
             (None, _) => format!("m·c = {denominator}: parallel, inside: nothing changes"),
@@ -247,8 +247,8 @@ impl Column {
             Self::Denominator => "m·c",
             Self::Time => "t",
             Self::Sense => "sense",
-            Self::In => "t_in",
-            Self::Out => "t_out",
+            Self::In => "tᵢₙ",
+            Self::Out => "tₒᵤₜ",
         }
     }
 

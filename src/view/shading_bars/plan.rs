@@ -43,7 +43,7 @@ impl Plan {
 
     /// The height of a channel's bar.
     pub fn pitch(&self) -> f64 {
-        pitch(self.base() - self.bars.low[1], self.lamps).clamp(12.0, 72.0)
+        pitch(self.base() - self.bars.low[1], self.lamps).clamp(12.0, 96.0)
     }
 
     /// Where the bars end at the latest: below is the axis.

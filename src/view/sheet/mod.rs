@@ -11,7 +11,7 @@ use crate::record::EventId;
 use crate::view::fonts::text_width;
 use crate::view::labels::{Label, Placer, shortened, wrapped};
 use crate::view::palette::{Colour, Palette};
-pub(super) use crate::view::scene_colour::{ink_on, shown};
+pub(super) use crate::view::scene_colour::{ink_on, seen_on, shown};
 use crate::view::{Anchor, Drawing, Face, Form, Frame, Spot, Stroke, Theme};
 
 /// Sizes in points.

@@ -178,7 +178,15 @@ impl SideView<'_> {
         let text = shortened(&text, self.drawing.width - 2.0 * MARGIN, TEXT, Face::Sans);
         let label = Label::new(text, TEXT, self.palette.faint);
         let text = label.at([MARGIN, MARGIN + 4.0], Anchor::Start, Some(self.palette.ground));
+        let frame = text.frame();
+        if text.text.is_empty() || !self.placer.is_free(&frame) {
+            return;
+        }
+        // Rays to lights run through this corner often: they end at the words, and no name stands beside them.
+        let fill = Some(self.palette.ground.faded(0.88));
+        self.drawing.put(Form::Rect { frame: frame.grown(3.0), fill, stroke: None }, None);
         self.placer.put_at(&mut self.drawing, text, None);
+        self.placer.reserve(frame.grown(9.0));
     }
 
     /// Which plane it is.

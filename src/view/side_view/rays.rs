@@ -228,7 +228,8 @@ impl SideView<'_> {
         self.drawing.put(Form::Line { points: vec![low, high], stroke }, None);
         self.placer.avoid_line(low, high);
         let lower = if low[1] > high[1] { low } else { high };
-        self.label_later(lower, 4.0, Label::new("image plane", SMALL, self.palette.faint));
+        // Clear of the line's own end.
+        self.label_later(lower, 9.0, Label::new("image plane", SMALL, self.palette.faint));
     }
 }
 

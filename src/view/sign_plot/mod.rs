@@ -290,10 +290,12 @@ impl Plot {
             let circle = Form::Circle { centre: [x, zero], radius: 4.5, fill: Some(self.palette.ink), stroke: rim };
             self.drawing.put(circle, self.event);
             self.placer.reserve(Frame { low: [x, zero], high: [x, zero] }.grown(5.0));
+            self.placer.avoid_line([x, zero], [x, self.d.points[0]]);
         }
         for &root in roots.iter().filter(|root| self.t.shows(**root)) {
             let label = Label::new(format!("t = {}", brief(root)), TEXT, self.palette.ink).of(self.event);
-            self.placer.put_near(&mut self.drawing, [self.t.at(root), zero], 6.0, &label, self.palette);
+            // Far enough for the places above and below the axis, on the side that the curve leaves free.
+            self.placer.put_near(&mut self.drawing, [self.t.at(root), zero], 9.0, &label, self.palette);
         }
     }
 

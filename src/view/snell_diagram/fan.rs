@@ -75,9 +75,6 @@ impl Fan {
         let stroke = Stroke::dashed(sheet.palette.normal, 1.3, [5.0, 4.0]);
         sheet.line(&self.room, &ends, stroke);
         sheet.placer.avoid_line(ends[0], ends[1]);
-        let top = [self.centre[0] + 5.0, self.centre[1] - self.radius + 4.0];
-        let colour = sheet.palette.normal;
-        sheet.write("normal", top, Anchor::Start, SMALL, colour);
     }
 
     /// Where total internal reflection begins, on the side that the ray comes from.
@@ -147,6 +144,14 @@ impl Fan {
         if let Some(critical) = interface.critical {
             let around = self.at(0.86 * self.radius, -critical);
             sheet.write_near(&format!("critical {}", degrees(critical)), around, 4.0, palette.bad);
+        }
+        // At either end of the normal, where no ray runs beside it.
+        let ends = [0.0, 180.0].map(|angle| self.at(self.radius - 4.0, angle));
+        let sides = [(5.0, Anchor::Start), (-5.0, Anchor::End)];
+        let places = ends.into_iter().flat_map(|[x, y]| sides.map(|(aside, anchor)| ([x + aside, y], anchor)));
+        let texts = places.map(|(at, anchor)| Label::new("normal", SMALL, palette.normal).at(at, anchor, None));
+        if let Some(text) = texts.into_iter().find(|text| sheet.placer.is_clear(&text.frame())) {
+            sheet.placer.put_at(&mut sheet.drawing, text, Some(sheet.event));
         }
         let out = self.radius - 2.0;
         let mut ends = vec![

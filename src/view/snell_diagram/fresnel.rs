@@ -21,25 +21,32 @@ pub(super) fn draw(sheet: &mut Sheet, room: Frame, interface: &Interface) {
     let here = chart.at([interface.theta1, interface.reflectance]);
     sheet.axes(&chart, ["θ₁ in degrees", "reflected share R"], false);
     let curves = [
-        (1, Stroke::dashed(palette.left, 1.4, [6.0, 3.0]), "R_s", 0.72),
-        (2, Stroke::dashed(palette.right, 1.4, [2.0, 3.0]), "R_p", 0.8),
+        (1, Stroke::dashed(palette.left, 1.4, [6.0, 3.0]), "Rₛ", 0.72),
+        (2, Stroke::dashed(palette.right, 1.4, [2.0, 3.0]), "Rₚ", 0.8),
         (0, Stroke::solid(palette.ink, 2.2), "R", 0.9),
     ];
     let samples = samples(interface);
     for (which, stroke, _, _) in &curves {
         let points: Vec<Spot> = samples.iter().map(|(angle, shares)| chart.at([*angle, shares[*which]])).collect();
-        sheet.placer.avoid_outline(&points);
+        for ends in points.windows(2) {
+            sheet.placer.avoid_line(ends[0], ends[1]);
+        }
         sheet.line(&chart.frame, &points, *stroke);
     }
-    let ground = [chart.at([0.0, 0.0]), chart.at([90.0, 0.0])];
-    sheet.placer.avoid_line(ground[0], ground[1]);
+    keep_within(sheet, &chart.frame);
     critical_line(sheet, &chart, interface);
     let foot = chart.at([interface.theta1, 0.0]);
     sheet.line(&chart.frame, &[foot, here], Stroke::dashed(palette.highlight, 1.4, [3.0, 3.0]));
     sheet.mark(&chart.frame.grown(1.0), here, 5.0, palette.reflected);
     sheet.placer.avoid_spot(here, 6.0);
     let text = format!("R = {} at {}", brief(interface.reflectance), degrees(interface.theta1));
-    sheet.write_near(&text, here, 8.0, palette.reflected);
+    if !sheet.write_near(&text, here, 8.0, palette.reflected) {
+        sheet.write_near(&format!("R = {}", brief(interface.reflectance)), here, 8.0, palette.reflected);
+    }
+    let brewster = interface.brewster();
+    let place = chart.at([brewster, 0.0]);
+    sheet.mark(&chart.frame.grown(1.0), place, 3.0, palette.right);
+    sheet.write_near(&format!("Brewster {}", degrees(brewster)), place, 6.0, palette.right);
     for (which, stroke, name, share) in curves {
         // Each name stands where its curve is between the ground and total reflection.
         let end = interface.critical.unwrap_or(90.0);
@@ -47,10 +54,20 @@ pub(super) fn draw(sheet: &mut Sheet, room: Frame, interface: &Interface) {
         let at = chart.at([angle, shares(interface, angle)[which]]);
         sheet.write_near(name, at, 5.0, stroke.colour);
     }
-    let brewster = interface.brewster();
-    let place = chart.at([brewster, 0.0]);
-    sheet.mark(&chart.frame.grown(1.0), place, 3.0, palette.right);
-    sheet.write_near(&format!("Brewster {}", degrees(brewster)), place, 6.0, palette.right);
+}
+
+/// Keeps names off the rim of the chart and off the numbers about it.
+fn keep_within(sheet: &mut Sheet, frame: &Frame) {
+    let ([left, top], [right, bottom]) = (frame.low, frame.high);
+    let around = frame.grown(60.0);
+    for (low, high) in [
+        (around.low, [left + 1.0, around.high[1]]),
+        ([right - 1.0, around.low[1]], around.high),
+        (around.low, [around.high[0], top + 1.0]),
+        ([around.low[0], bottom - 1.0], around.high),
+    ] {
+        sheet.placer.reserve(Frame { low, high });
+    }
 }
 
 fn critical_line(sheet: &mut Sheet, chart: &Chart, interface: &Interface) {
@@ -62,7 +79,7 @@ fn critical_line(sheet: &mut Sheet, chart: &Chart, interface: &Interface) {
     sheet.write_near(&format!("critical {}", degrees(critical)), chart.at([critical, 0.5]), 6.0, colour);
 }
 
-/// R, R_s and R_p at an angle of incidence in degrees.
+/// R, Rₛ and Rₚ at an angle of incidence in degrees.
 pub(super) fn shares(interface: &Interface, angle: f64) -> [f64; 3] {
     let (sin, cos) = portable::sin_cos(angle.to_radians());
     let [n1, n2] = interface.indices;

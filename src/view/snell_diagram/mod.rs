@@ -145,7 +145,7 @@ fn split(room: Frame) -> (Frame, Option<Frame>) {
 }
 
 impl Interface {
-    /// tan θ = n₂ / n₁: there R_p is 0.
+    /// tan θ = n₂ / n₁: there Rₚ is 0.
     fn brewster(&self) -> f64 {
         let [n1, n2] = self.indices;
         portable::atan2(n2, n1).to_degrees()

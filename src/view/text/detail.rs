@@ -2,7 +2,7 @@
 
 use super::effect_detail::effect_lines;
 use super::explain::explain;
-use super::format::{accuracy, count, degrees, number_list, percent, significant, span_list, vector};
+use super::format::{accuracy, count, degrees, number_list, percent, quoted, significant, span_list, vector};
 use super::row::{capitalised, row, surface, titled};
 use super::tables::{candidate_table, colour_table, plane_table, polynomial, tier_table};
 use super::texture_detail::texture_lines;
@@ -209,7 +209,7 @@ fn hit_lines(what: &What) -> Option<Vec<DetailLine>> {
             vec![
                 pair("surface", surface(object, leaf, part)),
                 pair("t", format_number(*t)),
-                pair("reason", reason.clone()),
+                pair("reason", quoted(reason)),
             ]
         }
         What::Hit {

@@ -116,6 +116,17 @@ pub(super) fn percent(share: f64) -> String {
     format!("{} %", significant(share * 100.0, 3))
 }
 
+/// A recorded sentence with its names in quotation marks: in the record they stand between backticks.
+pub fn quoted(sentence: &str) -> String {
+    let mut pieces = sentence.split('`');
+    let mut text = pieces.next().unwrap_or_default().to_owned();
+    for (index, piece) in pieces.enumerate() {
+        text.push(if index % 2 == 0 { '“' } else { '”' });
+        text.push_str(piece);
+    }
+    text
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -148,5 +159,12 @@ mod tests {
         assert_eq!(span_list(&[Span { enter: Some(top.clone()), leave: None }]), "[2.5 surface of ground, ∞)");
         assert_eq!(span_list(&[Span { enter: None, leave: Some(top) }]), "(−∞, 2.5 surface of ground]");
         assert_eq!(span_list(&[]), "empty");
+    }
+
+    #[test]
+    fn names_of_recorded_sentences_stand_in_quotation_marks() {
+        assert_eq!(quoted("inside `C`, which is taken away"), "inside “C”, which is taken away");
+        assert_eq!(quoted("`a` and `b`"), "“a” and “b”");
+        assert_eq!(quoted("nothing is named"), "nothing is named");
     }
 }

@@ -1,6 +1,6 @@
 //! The one-line description of an event.
 
-use super::format::{brief, brief_vector, count, degrees, number_list, percent, times};
+use super::format::{brief, brief_vector, count, degrees, number_list, percent, quoted, times};
 use super::{effect_row, texture_row};
 use crate::record::{Candidate, CandidateFate, Certificate, Event, PlaneSense, RayKind, Tier, What};
 use serde::{Deserialize, Serialize};
@@ -220,7 +220,7 @@ fn numbers(event: &Event) -> String {
         What::Decision { tiers, .. } => tiers.last().map(margin).unwrap_or_default(),
         What::Combine { combined, .. } => times(combined),
         What::Moved { by, .. } => format!("by {}", brief(*by)),
-        What::Rejected { t, reason, .. } => format!("t = {}: {reason}", brief(*t)),
+        What::Rejected { t, reason, .. } => format!("t = {}: {}", brief(*t), quoted(reason)),
         What::Hit { t, point, .. } => format!("t = {} at {}", brief(*t), brief_vector(*point)),
         What::Nothing { background } => brief_vector(*background),
         What::Detail(detail) => format!("(u, v) = {}", texture_row::place(detail.uv)),
