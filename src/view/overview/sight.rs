@@ -67,9 +67,12 @@ impl Sight {
                 let distance = DISTANCE * radius;
                 let is_perspective = options.is_perspective;
                 let eye = if is_perspective { target - forward * distance } else { target };
-                let orbit = Orbit { target, axis: view_up(&scene.camera), up, forward, eye, is_perspective };
+                let unit = Self { eye, right, up, forward, scale: 1.0, centre: [0.0; 2], is_perspective };
                 let usual = 0.5 * room[0].min(room[1]) / radius * if is_perspective { distance } else { 1.0 };
-                let scale = orbit.fitting(scene, wires, radius, room).clamp(LEAST * usual, MOST * usual) * zoom;
+                // An eye far off is no part of what is seen.
+                let own_eye = Some(scene.camera.eye).filter(|eye| eye.distance(target) < 1.01 * radius);
+                let points = wires.lines.iter().flat_map(|line| &line.points).copied().chain(own_eye);
+                let scale = unit.fitting(points, room).clamp(LEAST * usual, MOST * usual) * zoom;
                 Self { eye, right, up, forward, scale, centre, is_perspective }
             }
         }
@@ -82,6 +85,13 @@ impl Sight {
         let scale = (0.5 * room[0] / half_width).min(0.5 * room[1] / half_height) * zoom;
         let (eye, right, up, forward) = (camera.eye, camera.right, camera.up, camera.forward);
         Self { eye, right, up, forward, scale, centre, is_perspective: true }
+    }
+
+    /// The largest scale at which all points lie within the room, of a view whose own scale is 1 and whose centre is 0.
+    fn fitting(&self, points: impl Iterator<Item = DVec3>, room: Spot) -> f64 {
+        let spots = points.filter_map(|point| self.place(point));
+        let reach = spots.fold([1e-12_f64; 2], |reach, spot| std::array::from_fn(|i| reach[i].max(spot[i].abs())));
+        (0.5 * room[0] / reach[0]).min(0.5 * room[1] / reach[1])
     }
 
     /// How far a point lies into the drawing.
@@ -167,59 +177,4 @@ fn content(scene: &Scene, wires: &Wireframe) -> (DVec3, f64) {
         (low, high) = (low.min(eye), high.max(eye));
     }
     ((low + high) * 0.5, (0.5 * (high - low).length()).max(1e-9))
-}
-
-/// An orbit, whose scale is the same wherever on it one stands: things would swell and shrink as the scene is turned.
-struct Orbit {
-    target: DVec3,
-    axis: DVec3,
-    up: DVec3,
-    forward: DVec3,
-    eye: DVec3,
-    is_perspective: bool,
-}
-
-/// Stations of an orbit at which it is looked how large a place can be drawn.
-const STATIONS: u32 = 16;
-/// Places nearer to the eye than this share of the orbit's radius may be cut off.
-const NEAREST: f64 = 0.2;
-
-impl Orbit {
-    /// The largest scale at which everything stays within the room all the way round.
-    fn fitting(&self, scene: &Scene, wires: &Wireframe, radius: f64, room: Spot) -> f64 {
-        let mut boxes: Vec<Option<[DVec3; 2]>> = vec![None; scene.objects.len()];
-        for line in &wires.lines {
-            let Some(around) = boxes.get_mut(line.object) else { continue };
-            for &point in &line.points {
-                let [low, high] = around.unwrap_or([point; 2]);
-                *around = Some([low.min(point), high.max(point)]);
-            }
-        }
-        let corners = boxes.into_iter().flatten().flat_map(|ends| {
-            (0..8).map(move |i| DVec3::from_array(std::array::from_fn(|k| ends[usize::from(i >> k & 1 == 1)][k])))
-        });
-        // An eye far off is no part of what is seen.
-        let eye = Some(scene.camera.eye).filter(|eye| eye.distance(self.target) < 1.01 * radius);
-        corners.chain(eye).map(|point| self.largest(point, room)).fold(f64::INFINITY, f64::min)
-    }
-
-    /// The largest scale at which a place, carried once round the axis, stays within the room.
-    fn largest(&self, point: DVec3, room: Spot) -> f64 {
-        let offset = point - self.target;
-        let height = offset.dot(self.axis);
-        let around = (offset - self.axis * height).length();
-        let level = (self.forward - self.axis * self.forward.dot(self.axis)).normalize_or(self.up);
-        let aside = level.cross(self.axis);
-        let least = NEAREST * self.eye.distance(self.target);
-        let scale = |station: u32| {
-            let (sin, cos) = portable::sin_cos(std::f64::consts::TAU * f64::from(station) / f64::from(STATIONS));
-            let carried = self.target + self.axis * height + (level * cos + aside * sin) * around;
-            let from_eye = carried - self.eye;
-            let depth = if self.is_perspective { from_eye.dot(self.forward).max(least) } else { 1.0 };
-            let across = (from_eye.dot(aside) / depth).abs().max(1e-12);
-            let upward = (from_eye.dot(self.up) / depth).abs().max(1e-12);
-            (0.5 * room[0] / across).min(0.5 * room[1] / upward)
-        };
-        (0..STATIONS).map(scale).fold(f64::INFINITY, f64::min)
-    }
 }

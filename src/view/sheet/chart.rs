@@ -74,8 +74,9 @@ impl Sheet {
         if !self.write(names[0], [right + 6.0, below], Anchor::Start, SMALL, ink)
             && self.write(names[0], [right, below], Anchor::End, SMALL, ink)
         {
-            // So far from the last number that the two do not read as one.
-            let room = text_width(names[0], SMALL, Face::Sans) + 22.0;
+            // So far from the last number that the two do not read as one, unless that would leave hardly any numbers.
+            let apart = if right - left > 240.0 { 22.0 } else { 8.0 };
+            let room = text_width(names[0], SMALL, Face::Sans) + apart;
             self.placer.reserve(Frame { low: [right - room, below - 2.0], high: [right, below + 2.0] });
         }
         self.write(names[1], [left, top - 9.0], Anchor::Start, SMALL, self.palette.ink);

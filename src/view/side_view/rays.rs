@@ -168,9 +168,12 @@ impl SideView<'_> {
                 let label = label(name.clone());
                 self.lamp(lamp, opacity, parent);
                 self.label_later(lamp, 9.0, label);
-            } else if let Some([_, exit]) = self.visible(flight, 0.0, t) {
-                let frame = self.drawing.frame().grown(-14.0);
-                let inside = std::array::from_fn(|i| exit[i].max(frame.low[i]).min(frame.high[i]));
+            } else if let Some([start, exit]) = self.visible(flight, 0.0, t) {
+                let mut frame = self.drawing.frame().grown(-14.0);
+                let nearest = std::array::from_fn(|i| exit[i].max(frame.low[i]).min(frame.high[i]));
+                // Below the caption.
+                frame.low[1] += 20.0;
+                let inside = clip(&frame, [start, exit]).map_or(nearest, |[_, end]| end);
                 let label = label(format!("to {name}"));
                 self.label_later(inside, 4.0, label);
             }

@@ -295,7 +295,7 @@ impl Plot {
         for &root in roots.iter().filter(|root| self.t.shows(**root)) {
             let label = Label::new(format!("t = {}", brief(root)), TEXT, self.palette.ink).of(self.event);
             // Far enough for the places above and below the axis, on the side that the curve leaves free.
-            self.placer.put_near(&mut self.drawing, [self.t.at(root), zero], 9.0, &label, self.palette);
+            self.placer.put_near(&mut self.drawing, [self.t.at(root), zero], 11.0, &label, self.palette);
         }
     }
 

@@ -43,10 +43,6 @@ pub(super) fn draw(sheet: &mut Sheet, room: Frame, interface: &Interface) {
     if !sheet.write_near(&text, here, 8.0, palette.reflected) {
         sheet.write_near(&format!("R = {}", brief(interface.reflectance)), here, 8.0, palette.reflected);
     }
-    let brewster = interface.brewster();
-    let place = chart.at([brewster, 0.0]);
-    sheet.mark(&chart.frame.grown(1.0), place, 3.0, palette.right);
-    sheet.write_near(&format!("Brewster {}", degrees(brewster)), place, 6.0, palette.right);
     for (which, stroke, name, share) in curves {
         // Each name stands where its curve is between the ground and total reflection.
         let end = interface.critical.unwrap_or(90.0);
@@ -54,6 +50,10 @@ pub(super) fn draw(sheet: &mut Sheet, room: Frame, interface: &Interface) {
         let at = chart.at([angle, shares(interface, angle)[which]]);
         sheet.write_near(name, at, 5.0, stroke.colour);
     }
+    let brewster = interface.brewster();
+    let place = chart.at([brewster, 0.0]);
+    sheet.mark(&chart.frame.grown(1.0), place, 3.0, palette.right);
+    sheet.write_near(&format!("Brewster {}", degrees(brewster)), place, 6.0, palette.right);
 }
 
 /// Keeps names off the rim of the chart and off the numbers about it.
