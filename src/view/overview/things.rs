@@ -19,6 +19,17 @@ const IMAGE_PLANE: f64 = 0.22;
 /// Objects that look smaller than this have no name: in a crowd, names would hide what they name. In points.
 const SMALLEST_NAMED: f64 = 30.0;
 
+/// A name that is to be written.
+struct Named<'a> {
+    /// What it names; none behind the eye.
+    spot: Option<Spot>,
+    name: &'a str,
+    colour: Colour,
+    event: Option<EventId>,
+    /// How far from the spot it stands at least.
+    gap: f64,
+}
+
 impl Overview<'_> {
     /// All lines of all objects, those on sides that face away fainter.
     pub(super) fn objects(&mut self) {
@@ -241,8 +252,8 @@ impl Overview<'_> {
     pub(super) fn names(&mut self) {
         let scene = self.scene;
         let palette = self.sheet.palette;
-        let mut names: Vec<(Option<Spot>, &str, Colour, Option<EventId>, f64)> = Vec::new();
-        names.push((self.sight.place(scene.camera.eye), "eye", palette.ink, None, 8.0));
+        let at_eye = self.sight.place(scene.camera.eye);
+        let mut names = vec![Named { spot: at_eye, name: "eye", colour: palette.ink, event: None, gap: 8.0 }];
         for light in &scene.lights {
             let point = match light.kind {
                 LightKind::Point(point) => point,
@@ -252,13 +263,15 @@ impl Overview<'_> {
                     (low + high) * 0.5 + towards * (0.575 * (high - low).length())
                 }
             };
-            names.push((self.sight.place(point), &light.name, palette.shadow, self.light_event(&light.name), 10.0));
+            let (spot, name, event) = (self.sight.place(point), &light.name, self.light_event(&light.name));
+            names.push(Named { spot, name, colour: palette.shadow, event, gap: 10.0 });
         }
         for (index, spot) in self.named_places() {
             let colour = self.colour(index).mixed(palette.ink, 0.5);
-            names.push((Some(spot), &scene.objects[index].name, colour, self.object_event(index), 4.0));
+            let (name, event) = (&scene.objects[index].name, self.object_event(index));
+            names.push(Named { spot: Some(spot), name, colour, event, gap: 4.0 });
         }
-        for (spot, name, colour, event, gap) in names {
+        for Named { spot, name, colour, event, gap } in names {
             if let Some(spot) = spot.filter(|spot| self.frame.grown(-6.0).contains(*spot)) {
                 self.avoid_lines_about(spot);
                 self.sheet.event = event.unwrap_or(self.step);
