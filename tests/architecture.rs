@@ -155,8 +155,9 @@ const LAYERS: &[(&str, &[&str])] = &[
 
 /// Crates that only some places may use, and those places.
 const CRATES: &[(&[&str], &[&str])] = &[
+    // Whatever holds data may say how it is sent and kept; what form it then has is known here.
     (
-        &["serde", "serde_json", "schemars"],
+        &["serde_json", "schemars"],
         &[
             "src/record/",
             "src/scene/",
@@ -172,12 +173,10 @@ const CRATES: &[(&[&str], &[&str])] = &[
             "src/app/dock/",
             "src/app/edit/",
             "src/app/kept.rs",
-            "src/app/pane.rs",
-            "src/app/frame/task.rs",
-            "src/app/picture/renderer.rs",
             "src/app/system/",
         ],
     ),
+    (&["postcard"], &["src/app/system/browser/"]),
     (&["jsonc_parser"], &["src/scene/"]),
     (&["include_dir"], &["src/scene/", "src/lesson/course.rs", "src/lesson_folder.rs"]),
     (&["pulldown_cmark", "toml"], &["src/lesson/source/"]),
