@@ -67,5 +67,6 @@ fn the_example_scene_is_a_scene() {
 #[test]
 fn the_continuous_check_runs_the_readmes_test_command() {
     assert!(file("README.md").contains("All tests run with\n\n    cargo test\n"));
-    assert!(file(".ci/run").ends_with("\ncargo test\n"));
+    let run = file(".ci/run");
+    assert!(run.contains("\ncargo test\n") && run.ends_with("\nweb/check.sh\n"), "{run}");
 }

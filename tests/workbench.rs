@@ -399,3 +399,14 @@ fn no_panel_reaches_beyond_the_window_at_the_usual_sizes() {
         }
     }
 }
+
+#[test]
+fn a_scene_that_is_opened_again_has_its_hit_object_to_edit_again() {
+    let mut bench = open("csg/bowl");
+    let edited = workbench(&bench).edited();
+    assert!(edited.is_some(), "the story stands at a hit");
+    let ctx = bench.ctx.clone();
+    workbench_mut(&mut bench).open_scene(&ctx, "csg/bowl");
+    settle(&mut bench);
+    assert_eq!(workbench(&bench).edited(), edited);
+}

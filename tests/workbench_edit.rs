@@ -490,14 +490,3 @@ fn a_row_of_the_story_that_is_not_changed_has_no_mark() {
     assert!(!rows(&bench).is_empty());
     assert!(rows(&bench).iter().all(|row| !row.contains("changed")), "a title changes no ray");
 }
-
-#[test]
-fn a_scene_that_is_opened_again_has_its_hit_object_to_edit_again() {
-    let mut bench = open("csg/bowl");
-    let edited = workbench(&bench).edited();
-    assert!(edited.is_some(), "the story stands at a hit");
-    let ctx = bench.ctx.clone();
-    workbench_mut(&mut bench).open_scene(&ctx, "csg/bowl");
-    settle(&mut bench);
-    assert_eq!(workbench(&bench).edited(), edited);
-}

@@ -278,7 +278,8 @@ fn each_panel_with_a_drawing_offers_to_save_it() {
 
 #[test]
 fn the_menu_of_sharing_is_said_in_german_too() {
-    let mut bench = open("csg/bowl");
+    // Wide enough for a menu of its own: German words are long.
+    let mut bench = open_at("csg/bowl", Vec2::new(1600.0, 900.0));
     run(&mut bench, ViewCommand::Language(Language::German));
     bench.get_by_label("Teilen").click();
     settle(&mut bench);

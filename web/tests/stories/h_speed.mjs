@@ -58,8 +58,8 @@ async function longTasks(page) {
   return page.evaluate(() => globalThis.long);
 }
 
-/** Tells what blocked the page at the best of a few visits, during which something was done. */
-async function neverBlocked(visitor, act) {
+/** No task of the page takes longer than so many milliseconds while something is done, at the best of a few visits. */
+async function neverBlocked(visitor, most, act) {
   const measure = async ({ opens }) => {
     const page = await opens();
     await until(page, ({ rendered }) => rendered === 1);
@@ -67,21 +67,21 @@ async function neverBlocked(visitor, act) {
     await act(page);
     return longTasks(page);
   };
-  const isGood = (long) => long.length === 0;
+  const isGood = (long) => long.every((took) => took <= most);
   const all = await visited(visitor, measure, isGood);
   console.log(`tasks of more than 50 ms: ${all.map((long) => long.join(", ") || "none").join("; ")}`);
   assert.ok(all.some(isGood), `tasks of so many milliseconds blocked the page: ${JSON.stringify(all)}`);
 }
 
 story("the page is never blocked for more than 50 ms while a picture renders", { longest: 90_000 }, ({ visitor }) =>
-  neverBlocked(visitor, async (page) => {
+  neverBlocked(visitor, 50, async (page) => {
     await send(page, { do: "open", link: "rayscope:optics/fishbowl" });
     await until(page, ({ scene, rendered }) => scene === "optics/fishbowl" && rendered < 1);
     await until(page, ({ rendered }) => rendered === 1);
   }));
 
-story("the page is never blocked while all pixels are searched, effects are priced, or accuracy is measured", { longest: 180_000 }, ({ visitor }) =>
-  neverBlocked(visitor, async (page) => {
+story("the page is never blocked for longer than a click may take while pixels are searched, effects priced, or accuracy measured", { longest: 180_000 }, ({ visitor }) =>
+  neverBlocked(visitor, 100, async (page) => {
     await page.keyboard.press("Control+Shift+F");
     await page.waitForTimeout(500);
     await page.keyboard.type("hit");
