@@ -72,7 +72,8 @@ impl Sight {
                 // An eye far off is no part of what is seen.
                 let own_eye = Some(scene.camera.eye).filter(|eye| eye.distance(target) < 1.01 * radius);
                 let points = wires.lines.iter().flat_map(|line| &line.points).copied().chain(own_eye);
-                let scale = unit.fitting(points, room).clamp(LEAST * usual, MOST * usual) * zoom;
+                // Without numbers, as of a scene whose size overflows, there is nothing to see, but nothing to stop for either.
+                let scale = unit.fitting(points, room).max(LEAST * usual).min(MOST * usual) * zoom;
                 Self { eye, right, up, forward, scale, centre, is_perspective }
             }
         }

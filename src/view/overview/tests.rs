@@ -61,6 +61,24 @@ fn parallel_lines_stay_parallel_without_perspective() {
 }
 
 #[test]
+fn a_scene_whose_size_overflows_stops_nothing() {
+    let text = embedded_scene("hello/sphere").unwrap().text.replace("[0, 0, 1] }]", "[0, 0, 1e200] }]");
+    assert!(text.contains("1e200"), "an object stands so far off that the square of its distance is infinite");
+    let scene = load(&text, "huge").unwrap();
+    let [x, y] = scene.pixels[0];
+    let (tree, wires) = (record_pixel(&scene, x, y), Wireframe::of(&scene));
+    for is_perspective in [false, true] {
+        let options = OverviewOptions {
+            stand: Stand::Orbit { yaw: 0.5, pitch: 0.4 },
+            is_perspective,
+            ..OverviewOptions::default()
+        };
+        let drawing = overview(&scene, &wires, &tree, 0, &options).unwrap();
+        assert!(drawing.texts().all(|text| text.at.iter().all(|x| x.is_finite())));
+    }
+}
+
+#[test]
 fn from_all_round_everything_lies_within_the_drawing() {
     let (scene, wires, _) = recorded("optics/fishbowl");
     for yaw in [0.0, 0.7, 2.0, 4.0] {
