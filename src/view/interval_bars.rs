@@ -25,6 +25,9 @@ const LEAST_PITCH: f64 = 8.0;
 /// Between two names of boundaries in a line; closer, they read as one.
 const BETWEEN: f64 = 3.0;
 
+/// For how many names to come a name leaves room.
+const LOOKED_AHEAD: usize = 3;
+
 /// Between the name of a boundary and the line that goes up or down at it.
 const ASIDE: f64 = 3.0;
 
@@ -338,14 +341,21 @@ impl Bars {
     /// The names of the boundaries: entries above the bar, exits below it, shorter where there is no room.
     fn edges(&mut self, spans: &[Span], y: f64, thick: f64) {
         let offset = thick / 2.0 + 0.78 * SMALL;
+        let mut names = Vec::new();
         for span in spans {
             for (edge, first, outward) in [(&span.enter, -offset, Anchor::Start), (&span.leave, offset, Anchor::End)] {
                 if let Some(edge) = edge.as_ref().filter(|edge| self.axis.shows(edge.t)) {
                     if edge.certificate == Certificate::Undecidable {
                         self.doubtful_end(edge.t, y, thick);
                     }
-                    self.edge(edge, [y + first, y - first], outward);
+                    names.push(self.edge_names(edge, [y + first, y - first], outward));
                 }
+            }
+        }
+        for (i, places) in names.iter().enumerate() {
+            let next = &names[i + 1..names.len().min(i + 1 + LOOKED_AHEAD)];
+            if let Some(text) = self.edge_name(places, next) {
+                self.placer.put_at(&mut self.drawing, text, Some(self.event));
             }
         }
     }
@@ -357,7 +367,8 @@ impl Bars {
         self.drawing.put(Form::Line { points: vec![[x, y - half], [x, y + half]], stroke }, Some(self.event));
     }
 
-    fn edge(&mut self, edge: &Edge, heights: [f64; 2], outward: Anchor) {
+    /// What may be written at an end of a bar, what is read most easily first.
+    fn edge_names(&self, edge: &Edge, heights: [f64; 2], outward: Anchor) -> Vec<Text> {
         let x = self.axis.at(edge.t);
         let doubtful = edge.certificate == Certificate::Undecidable;
         let turned = match (doubtful, edge.flipped) {
@@ -367,35 +378,50 @@ impl Bars {
         };
         let long = format!("{}  {} of {}{turned}", brief(edge.t), edge.part, edge.name);
         let middling = format!("{}  {}", brief(edge.t), edge.name);
-        let texts = [long, middling, brief(edge.t)];
-        // A shorter name that is clear of the upright lines is read more easily than a long one across them.
-        if !texts.iter().any(|text| self.edge_name(text, x, heights, outward, true)) {
-            let _ = texts.iter().any(|text| self.edge_name(text, x, heights, outward, false));
-        }
-    }
-
-    /// Writes a name above or below the end of a bar, if that is free, or even `clear` of all lines.
-    fn edge_name(&mut self, text: &str, x: f64, heights: [f64; 2], outward: Anchor, clear: bool) -> bool {
-        for y in heights {
-            for anchor in [outward, Anchor::Middle, Anchor::Start, Anchor::End] {
-                let aside = match anchor {
-                    Anchor::Start => ASIDE,
-                    Anchor::Middle => 0.0,
-                    Anchor::End => -ASIDE,
-                };
-                let label = Label::new(text, SMALL, self.palette.ink);
-                let text: Text = label.at([x + aside, y], anchor, Some(self.palette.ground));
-                let Frame { low, high } = text.frame();
-                let around = Frame { low: [low[0] - BETWEEN, low[1]], high: [high[0] + BETWEEN, high[1]] };
-                if low[0] >= self.axis.points[0] - 6.0
-                    && self.placer.is_free(&around)
-                    && (!clear || self.placer.is_clear(&text.frame()))
-                    && self.placer.put_at(&mut self.drawing, text, Some(self.event))
-                {
-                    return true;
+        let mut places = Vec::new();
+        for name in [long, middling, brief(edge.t)] {
+            let label = Label::new(name, SMALL, self.palette.ink);
+            for y in heights {
+                for anchor in [outward, Anchor::Middle, Anchor::Start, Anchor::End] {
+                    let aside = match anchor {
+                        Anchor::Start => ASIDE,
+                        Anchor::Middle => 0.0,
+                        Anchor::End => -ASIDE,
+                    };
+                    places.push(label.at([x + aside, y], anchor, Some(self.palette.ground)));
                 }
             }
         }
-        false
+        places.retain(|text| text.frame().low[0] >= self.axis.points[0] - 6.0);
+        places
     }
+
+    /// The first of the names that is clear of all lines and leaves those to come a clear place too; a shorter one is read
+    /// more easily than a long one across a line. Where there is none, one across a line.
+    fn edge_name(&self, places: &[Text], next: &[Vec<Text>]) -> Option<Text> {
+        let is_clear = |text: &&Text| is_clear(&self.placer, text);
+        let leaves_room = |text: &&Text| {
+            let mut placer = self.placer.clone();
+            placer.reserve(text.frame());
+            next.iter().all(|places| {
+                let place = places.iter().find(|text| self::is_clear(&placer, text)).map(Text::frame);
+                place.map(|place| placer.reserve(place)).is_some()
+            })
+        };
+        let mut clear = places.iter().filter(is_clear);
+        let first = clear.clone().next();
+        let across = || places.iter().find(|text| self.placer.is_free(&beside(text)));
+        clear.find(leaves_room).or(first).or_else(across).cloned()
+    }
+}
+
+/// A text with what keeps it apart from the next.
+fn beside(text: &Text) -> Frame {
+    let Frame { low, high } = text.frame();
+    Frame { low: [low[0] - BETWEEN, low[1]], high: [high[0] + BETWEEN, high[1]] }
+}
+
+/// Whether a name lies on no other and on none of the upright lines.
+fn is_clear(placer: &Placer, text: &Text) -> bool {
+    placer.is_free(&beside(text)) && placer.is_clear(&text.frame().grown(1.0))
 }

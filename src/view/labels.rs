@@ -99,9 +99,10 @@ impl Placer {
         self.outlines.extend(points.windows(2).map(|ends| [ends[0], ends[1]]));
     }
 
-    /// Takes back all of those: what is labelled next stands elsewhere.
-    pub fn forget_outlines(&mut self) {
-        self.outlines.clear();
+    /// Keeps labels off a closed line where there is a choice.
+    pub fn avoid_ring(&mut self, corners: &[Spot]) {
+        let next = corners.iter().cycle().skip(1);
+        self.lines.extend(corners.iter().zip(next).map(|(corner, next)| [*corner, *next]));
     }
 
     /// Keeps labels off a spot where there is a choice.
@@ -116,7 +117,7 @@ impl Placer {
 
     /// Whether it is free, and off every line, outline and spot.
     pub fn is_clear(&self, frame: &Frame) -> bool {
-        self.is_free(frame) && self.cost(frame) == 0.0
+        self.is_free(frame) && self.cost(frame, &self.outlines) == 0.0
     }
 
     /// Puts a text that has its place already, if that is free.
@@ -155,6 +156,7 @@ impl Placer {
     }
 
     fn best_place(&self, around: Spot, gap: f64, label: &Label, halo: Colour) -> Option<Text> {
+        let outlines = self.outlines_about(around);
         let mut best: Option<(f64, Text)> = None;
         for (distance, farness) in DISTANCES {
             // Between places that are as good, the first wins.
@@ -170,7 +172,7 @@ impl Placer {
                 if !self.is_free(&frame) {
                     continue;
                 }
-                let cost = self.cost(&frame) + farness;
+                let cost = self.cost(&frame, &outlines) + farness;
                 if best.as_ref().is_none_or(|(least, _)| cost < *least) {
                     best = Some((cost, text));
                 }
@@ -179,17 +181,30 @@ impl Placer {
         best.map(|(_, text)| text)
     }
 
-    fn cost(&self, frame: &Frame) -> f64 {
+    /// The outlines that a label of this spot may come upon.
+    fn outlines_about(&self, spot: Spot) -> Vec<[Spot; 2]> {
+        /// As far as labels go from what they name, with half their width.
+        const REACH: f64 = 130.0;
+        /// Among more, no place is better than another.
+        const MOST: usize = 600;
+        let about = Frame { low: spot, high: spot }.grown(REACH);
+        self.outlines.iter().filter(|line| crosses(&about, **line)).take(MOST).copied().collect()
+    }
+
+    fn cost(&self, frame: &Frame, outlines: &[[Spot; 2]]) -> f64 {
         let lines = self.lines.iter().filter(|line| crosses(frame, **line)).map(|_| 5.0);
         let spots = self.spots.iter().filter(|spot| spot.overlaps(frame)).map(|_| 9.0);
-        let outlines = self.outlines.iter().filter(|line| crosses(frame, **line)).take(3).map(|_| 1.6);
+        let outlines = outlines.iter().filter(|line| crosses(frame, **line)).take(3).map(|_| 1.6);
         lines.chain(spots).chain(outlines).sum()
     }
 }
 
 /// Whether the line passes through the frame.
 fn crosses(frame: &Frame, line: [Spot; 2]) -> bool {
-    clip(frame, line).is_some()
+    let [from, to] = line;
+    // Most lines are far off, on one side of the frame: that is seen without a division.
+    let is_beside = (0..2).any(|i| from[i].max(to[i]) < frame.low[i] || from[i].min(to[i]) > frame.high[i]);
+    !is_beside && clip(frame, line).is_some()
 }
 
 /// The part of a line within a frame (Liang and Barsky, 1984).

@@ -75,6 +75,6 @@ pub use text::{
     Detail, DetailLine, Row, beneath, brief, brief_vector, detail, equated, row, significant, span_list, tree_text,
     untold_row,
 };
-pub use timeline::{Timed, TimelineScale, timeline, timeline_height};
+pub use timeline::{AXIS as TIMELINE_AXIS, Timed, TimelineScale, timeline, timeline_height};
 pub use views::{ALL_VIEWS, Subject, View, primitive_behind, search_behind};
 pub use wireframe::{WireLine, Wireframe};

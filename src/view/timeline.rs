@@ -20,7 +20,7 @@ const HEADS: f64 = 22.0;
 /// Height of a line of rare events.
 const NOTABLE_LINE: f64 = 11.0;
 /// Height of the axis with its numbers.
-const AXIS: f64 = 18.0;
+pub const AXIS: f64 = 18.0;
 /// Height of a tick of the axis; its number begins below it.
 const TICK: f64 = 3.0;
 /// Above everything.

@@ -59,7 +59,7 @@ pub fn csg_bars(
         let bars = Bars::new(room, &rows, range(&lists, hit), lit, [hit.map(|(_, t)| t), probe_t]);
         bars.draw(&mut sheet, &rows, hit, probe_t);
     }
-    Some(sheet.drawing)
+    Some(sheet.finish())
 }
 
 /// The row of the selected event: the nearest node above it, or the leaf that was hit.

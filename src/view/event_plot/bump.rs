@@ -70,11 +70,8 @@ fn from_above(sheet: &mut Sheet, bump: &Bump, room: &Frame) {
     };
     let directions = [flat(p_u), flat(p_v)];
     let place = view(&directions, half - 4.0);
-    for (vector, name) in directions.into_iter().zip(["P_u", "P_v"]) {
-        if sheet.arrow(centre, place(vector), sheet.palette.faint, 1.6) {
-            sheet.write_near(name, place(vector), 4.0, sheet.palette.faint);
-        }
-    }
+    let directions = directions.map(place);
+    let drawn = directions.map(|tip| sheet.arrow(centre, tip, sheet.palette.faint, 1.6));
     let place = view(&[terms[0], terms[1], sum], half - 8.0);
     sheet.arrow(centre, place(terms[0]), sheet.palette.right, 2.0);
     sheet.arrow(centre, place(terms[1]), sheet.palette.left, 2.0);
@@ -84,6 +81,10 @@ fn from_above(sheet: &mut Sheet, bump: &Bump, room: &Frame) {
         sheet.line(room, &[place(term), place(sum)], dashes);
     }
     sheet.arrow(centre, place(sum), sheet.palette.bad, 2.4);
+    // Names come last, so that they keep off all arrows.
+    for (i, name) in ["P_u", "P_v"].into_iter().enumerate().filter(|(i, _)| drawn[*i]) {
+        sheet.write_near(name, directions[i], 4.0, sheet.palette.faint);
+    }
     sheet.dot(centre, 3.5, sheet.palette.ink);
 }
 
@@ -115,13 +116,7 @@ fn side(sheet: &mut Sheet, angle: f64, room: &Frame) {
     let after = along(reach, [sin, cos]);
     sheet.arrow(foot, after, sheet.palette.normal, 2.4);
     let level = -std::f64::consts::FRAC_PI_2;
-    let arc = Form::Arc {
-        centre: foot,
-        radius: 0.45 * reach,
-        angles: [level, level + angle.to_radians()],
-        stroke: Stroke::solid(sheet.palette.ink, 1.2),
-    };
-    sheet.drawing.put(arc, sheet.event);
+    sheet.arc(foot, 0.45 * reach, [level, level + angle.to_radians()], Stroke::solid(ink, 1.2));
     let half_way = 0.5 * angle.to_radians();
     let label = along(0.45 * reach, [portable::sin(half_way), portable::cos(half_way)]);
     sheet.write_near(&format!("{}°", brief(angle)), label, 5.0, ink);

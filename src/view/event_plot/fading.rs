@@ -30,7 +30,6 @@ pub(super) fn draw(sheet: &mut Sheet, segment: &Segment, turned_at: &[f64]) {
     for (rate, (stroke, _)) in rates.into_iter().zip(strokes) {
         let at = |step: u32| length * f64::from(step) / f64::from(STEPS);
         let points: Vec<Spot> = (0..=STEPS).map(|step| chart.at([at(step), portable::exp(-rate * at(step))])).collect();
-        sheet.placer.avoid_outline(&points);
         sheet.line(&chart.frame, &points, stroke);
         if whole {
             sheet.mark(&chart.frame, chart.at([length, portable::exp(-rate * length)]), 3.4, stroke.colour);

@@ -146,6 +146,8 @@ fn rays(sheet: &mut Sheet, all: &[(EventId, &Wavelength)], own: &Wavelength, fan
     sheet.event = own_event;
     let start = along(reach, own.theta1, -1.0);
     sheet.line(room, &[start, foot], Stroke::solid(ink, 2.2));
+    sheet.placer.avoid_line(start, foot);
+    sheet.placer.avoid_line(normal[0], normal[1]);
     arc(sheet, foot, 0.34 * reach, [-90.0, -90.0 - own.theta1], "θ₁");
     if let Some(theta2) = fan.drawn(own) {
         arc(sheet, foot, 0.42 * reach, [90.0, 90.0 - theta2], "θ₂");
@@ -159,8 +161,7 @@ fn rays(sheet: &mut Sheet, all: &[(EventId, &Wavelength)], own: &Wavelength, fan
 fn arc(sheet: &mut Sheet, centre: Spot, radius: f64, ends: [f64; 2], name: &str) {
     let ink = sheet.palette.ink;
     let [from, to] = ends.map(f64::to_radians);
-    let arc = Form::Arc { centre, radius, angles: [from, to], stroke: Stroke::solid(ink, 1.2) };
-    sheet.drawing.put(arc, sheet.event);
+    sheet.arc(centre, radius, [from, to], Stroke::solid(ink, 1.2));
     let half = f64::midpoint(from, to);
     sheet.write_near(
         name,
@@ -186,7 +187,6 @@ fn curve(sheet: &mut Sheet, all: &[(EventId, &Wavelength)], own: &Wavelength, ro
     let chart = Chart::free(frame, [low[0] - 8.0, high[0] + 8.0], [low[1] - air, high[1] + air]);
     let places: Vec<Spot> = points.iter().filter(|point| point.iter().all(|x| x.is_finite())).copied().collect();
     let places = chart.all_at(&places);
-    sheet.placer.avoid_outline(&places);
     sheet.line(&frame, &places, Stroke::solid(sheet.palette.faint, 1.2));
     let own_event = sheet.event;
     for (id, one) in all {

@@ -1,7 +1,7 @@
 //! A cell of the noise lattice in space: what its eight corners say of the point, and how much each counts.
 
 use crate::record::{Lattice, LatticeCorner, Triple};
-use crate::view::sheet::{Chart, Fact, Oblique, SMALL, Sheet, bounds, is_roomy, within_axes};
+use crate::view::sheet::{Chart, Fact, Oblique, Sheet, bounds, is_roomy, within_axes};
 use crate::view::text::{brief, brief_vector};
 use crate::view::{Anchor, Colour, Frame, Spot, Stroke};
 use glam::DVec3;
@@ -140,7 +140,7 @@ fn names(sheet: &mut Sheet, view: &Oblique) {
         [([0.5, 0.0, 0.0], "x", [0.0, 10.0]), ([1.0, 0.5, 0.0], "y", [9.0, 6.0]), ([0.0, 0.0, 0.5], "z", [-9.0, 0.0])]
     {
         let [x, y] = view.at(at);
-        sheet.write(name, [x + dx, y + dy], Anchor::Middle, SMALL, faint);
+        sheet.write_over(name, [x + dx, y + dy], Anchor::Middle, faint);
     }
 }
 
@@ -155,7 +155,6 @@ fn fade(sheet: &mut Sheet, lattice: &Lattice, room: Frame) {
     let chart = Chart::free(frame, [0.0, 1.0], [0.0, 1.0]);
     let curve = |x: f64| x * x * x * (x * (x * 6.0 - 15.0) + 10.0);
     let points: Vec<Spot> = (0..=40).map(|i| f64::from(i) / 40.0).map(|x| chart.at([x, curve(x)])).collect();
-    sheet.placer.avoid_outline(&points);
     sheet.line(&frame, &points, Stroke::solid(sheet.palette.combined, 2.0));
     let mut marked: Vec<(Spot, Vec<&str>)> = Vec::new();
     for (name, (x, y)) in ["x", "y", "z"].iter().zip(lattice.offset.into_iter().zip(lattice.fade)) {

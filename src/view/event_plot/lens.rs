@@ -144,6 +144,7 @@ fn opening(sheet: &mut Sheet, lens: &Lens, room: &Frame) {
     let at = |[x, y]: Spot| [centre[0] + half * x, centre[1] - half * y];
     sheet.write("its opening", [centre[0], room.low[1] + 12.0], Anchor::Middle, SMALL, sheet.palette.faint);
     let frame = Frame { low: at([-1.05, 1.05]), high: at([1.05, -1.05]) };
+    sheet.placer.reserve(frame);
     let rim = Stroke::solid(sheet.palette.grid, 1.0);
     if lens.outline.is_empty() {
         let square = Frame { low: at([-1.0, 1.0]), high: at([1.0, -1.0]) };

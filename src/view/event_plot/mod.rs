@@ -64,5 +64,5 @@ pub fn event_plot(
         What::Scatter(_) | What::Phase(_) => lobe::draw(&mut sheet, &phases_of(tree, event)),
         _ => return None,
     }
-    Some(sheet.drawing)
+    Some(sheet.finish())
 }

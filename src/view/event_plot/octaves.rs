@@ -29,14 +29,15 @@ pub(super) fn draw(sheet: &mut Sheet, octaves: &Octaves) {
     let chart = Chart::free(frame, [0.0, rows.len() as f64 + 1.0], range);
     let zero = chart.y.at(0.0);
     values(sheet, &chart);
+    // Below the bars and their numbers.
+    let rim = Stroke::solid(sheet.palette.ink, 1.2);
+    sheet.line(&frame, &[[frame.low[0], zero], [frame.high[0], zero]], rim);
     let mut sum = 0.0;
     for (number, octave) in rows.iter().enumerate() {
         bar(sheet, &chart, number, sum, octave);
         sum += octave.term;
     }
     total(sheet, &chart, rows.len(), octaves.sum);
-    let rim = Stroke::solid(sheet.palette.ink, 1.2);
-    sheet.line(&frame, &[[frame.low[0], zero], [frame.high[0], zero]], rim);
     if frame.high[1] < room.high[1] {
         numbers(sheet, &chart, rows);
     }

@@ -2,6 +2,7 @@
 
 use super::telling::Footprint;
 use crate::record::{TexelShare, Texels};
+use crate::view::drawing::Text;
 use crate::view::fonts::text_width;
 use crate::view::labels::Label;
 use crate::view::sheet::{Chart, Fact, SMALL, Sheet, bounds, ink_on, is_roomy, rim, shown, within_axes};
@@ -134,13 +135,21 @@ fn weight(sheet: &mut Sheet, chart: &Chart, grid: &Grid, share: &TexelShare) {
     let needed = [text_width(&text, SMALL, Face::Sans) + 6.0, 1.6 * SMALL];
     let size = room.size();
     if size[0] >= needed[0] && size[1] >= needed[1] && chart.frame.holds(&room.grown(-1.0)) {
-        // At the edge away from the hit, so that its dot and most of the pixel's outline leave it alone.
+        // At the edge away from the hit, where its dot leaves it alone, if the pixel's outline does too.
         let is_above = grid.hit.is_some_and(|hit| y + 0.5 < hit[1]);
         let inset = 0.9 * SMALL;
-        let at = [room.middle()[0], if is_above { room.low[1] + inset } else { room.high[1] - inset }];
+        let (upper, lower) = (room.low[1] + inset, room.high[1] - inset);
+        let heights = if is_above { [upper, room.middle()[1], lower] } else { [lower, room.middle()[1], upper] };
         let fill = shown(share.colour);
-        let text = Label::new(text, SMALL, ink_on(fill)).at(at, Anchor::Middle, Some(fill));
-        sheet.placer.put_at(&mut sheet.drawing, text, Some(sheet.event));
+        let label = Label::new(text, SMALL, ink_on(fill));
+        let [left, middle, right] = [room.low[0] + 4.0, room.middle()[0], room.high[0] - 4.0];
+        let columns = [(middle, Anchor::Middle), (left, Anchor::Start), (right, Anchor::End)];
+        let places = heights.iter().flat_map(|&y| columns.map(|(x, anchor)| label.at([x, y], anchor, Some(fill))));
+        let places: Vec<Text> = places.collect();
+        let clear = places.iter().find(|text| sheet.placer.is_clear(&text.frame()));
+        if let Some(text) = clear.or(places.first()).cloned() {
+            sheet.placer.put_at(&mut sheet.drawing, text, Some(sheet.event));
+        }
     }
 }
 
@@ -153,6 +162,7 @@ fn outline(sheet: &mut Sheet, chart: &Chart, grid: &Grid) {
         let ring = chart.all_at(&grid.footprint);
         sheet.outline(&chart.frame, &ring, Stroke::solid(sheet.palette.ground, 4.0));
         sheet.outline(&chart.frame, &ring, Stroke::solid(sheet.palette.bad, 2.0));
+        sheet.placer.avoid_ring(&ring);
     }
     if let Some(hit) = grid.hit.filter(|hit| hit.iter().all(|x| x.is_finite())) {
         sheet.mark(&chart.frame, chart.at(hit), 4.5, sheet.palette.ink);

@@ -25,7 +25,6 @@ pub(super) fn draw(sheet: &mut Sheet, undulate: &Undulate) {
     segment(sheet, &chart, undulate);
     for (channel, (stroke, _)) in strokes.into_iter().enumerate() {
         let points: Vec<Spot> = undulate.curve.iter().map(|stop| chart.at([stop.at, stop.colour[channel]])).collect();
-        sheet.placer.avoid_outline(&points);
         sheet.line(&frame, &points, stroke);
         for stop in undulate.stops.iter().filter(|stop| chart.x.shows(stop.at) && chart.y.shows(stop.colour[channel])) {
             sheet.dot(chart.at([stop.at, stop.colour[channel]]), 3.2, stroke.colour);

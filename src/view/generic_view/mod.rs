@@ -66,7 +66,7 @@ pub fn generic_view(scene: &Scene, tree: &RayTree, selected: EventId, options: &
     if let Some(frame) = right.filter(is_roomy) {
         space::draw(&mut sheet, &frame, &subject);
     }
-    Some(sheet.drawing)
+    Some(sheet.finish())
 }
 
 /// Both halves where there is the width for them, else the one that is asked for.
@@ -287,7 +287,6 @@ impl Subject<'_> {
         }
         let colour = if stop.t < 0.0 { palette.faint } else { palette.good };
         sheet.mark(frame, at, 4.6, colour);
-        sheet.placer.avoid_spot(at, 5.0);
         sheet.write_near(&format!("t = {}", brief(stop.t)), at, 7.0, palette.ink);
     }
 
@@ -308,7 +307,6 @@ impl Subject<'_> {
         let word = if d > 0.0 { "outside" } else { "inside" };
         sheet.mark(frame, at, 6.5, sheet.palette.highlight);
         sheet.mark(frame, at, 2.5, sheet.palette.ink);
-        sheet.placer.avoid_spot(at, 7.0);
         let ink = sheet.palette.ink;
         sheet.write_near(&format!("t = {}: d = {}, {word}", brief(t), brief(d)), at, 9.0, ink);
     }

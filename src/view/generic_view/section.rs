@@ -24,7 +24,6 @@ pub(super) fn draw(sheet: &mut Sheet, frame: &Frame, subject: &Subject) {
     sheet.area(frame, &section.rings, colour.faded(0.2));
     for line in &section.outline {
         sheet.line(frame, line, Stroke::solid(colour, 2.0));
-        sheet.placer.avoid_outline(line);
     }
     if section.outline.is_empty() {
         for [from, to] in cuts(&subject.at.leaf.shape, &plane) {

@@ -32,7 +32,6 @@ pub(super) fn draw(sheet: &mut Sheet, frame: &Frame, subject: &Subject) {
     for line in &outline {
         let spots: Vec<Spot> = line.iter().map(|point| place(*point)).collect();
         sheet.line(frame, &spots, Stroke::solid(sheet.palette.inside.faded(0.75), 1.1));
-        sheet.placer.avoid_outline(&spots);
     }
     sheet.event = own;
     subject.ray(sheet, frame, &place);

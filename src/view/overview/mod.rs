@@ -76,7 +76,7 @@ pub fn overview(
     view.names();
     view.key();
     view.sheet.drawing.description = view.description();
-    Some(view.sheet.drawing)
+    Some(view.sheet.finish())
 }
 
 /// The view of the drawing that [`overview`] makes with the same arguments: takes points of the world to places.

@@ -2,7 +2,7 @@
 
 use super::Overview;
 use crate::record::{EventId, RayKind, What};
-use crate::view::drawing::{Anchor, Form, Stroke, length};
+use crate::view::drawing::{Anchor, Form, Frame, Stroke, length};
 use crate::view::flights::{End, Flight};
 use crate::view::fonts::{Face, text_width};
 use crate::view::palette::Palette;
@@ -102,7 +102,6 @@ impl Overview<'_> {
         if is_current && self.frame.contains(spot) {
             self.sheet.event = event;
             let ink = self.sheet.palette.ink;
-            self.avoid_lines_about(spot);
             self.sheet.write_near(&format!("t = {}", brief(t)), spot, 7.0, ink);
             self.sheet.event = self.step;
         }
@@ -113,18 +112,23 @@ impl Overview<'_> {
         let kinds = RayKind::ALL
             .into_iter()
             .filter(|kind| self.flights.all.iter().any(|flight| flight.kind == *kind && flight.event <= self.step));
-        let y = self.frame.high[1] - 10.0;
-        let mut x = self.frame.low[0] + 8.0;
-        for kind in kinds.collect::<Vec<_>>() {
+        let (mut x, y) = (self.frame.low[0] + 8.0, self.frame.high[1] - 10.0);
+        let mut places = Vec::new();
+        for kind in kinds {
             let next = x + 26.0 + text_width(kind.name(), SMALL, Face::Sans) + 12.0;
             if next > self.frame.high[0] {
-                return;
+                break;
             }
-            let faint = self.sheet.palette.faint;
-            if self.sheet.write(kind.name(), [x + 24.0, y], Anchor::Start, SMALL, faint) {
-                self.flat_line(&[[x, y], [x + 20.0, y]], stroke(self.sheet.palette, kind, 2.0), None);
-            }
+            places.push((kind, x));
             x = next;
+        }
+        // Its own ground, so that it is read where rays run below it.
+        let frame = Frame { low: [self.frame.low[0] + 2.0, y - 9.0], high: [x - 4.0, y + 9.0] };
+        let fill = Some(self.sheet.palette.ground.faded(0.85));
+        self.sheet.drawing.put(Form::Rect { frame, fill, stroke: None }, None);
+        for (kind, x) in places {
+            self.sheet.write_over(kind.name(), [x + 24.0, y], Anchor::Start, self.sheet.palette.faint);
+            self.flat_line(&[[x, y], [x + 20.0, y]], stroke(self.sheet.palette, kind, 2.0), None);
         }
     }
 }

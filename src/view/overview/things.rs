@@ -197,20 +197,6 @@ impl Overview<'_> {
         }
     }
 
-    /// Lets a name at a spot keep off the lines around it.
-    pub(super) fn avoid_lines_about(&mut self, spot: Spot) {
-        /// As far as names go from what they name, with half their width.
-        const REACH: f64 = 90.0;
-        /// Among more, no place is better than another.
-        const MOST: usize = 600;
-        let frame = Frame { low: spot, high: spot }.grown(REACH);
-        let lines = self.seen.iter().flat_map(|(_, run)| run.windows(2));
-        self.sheet.placer.forget_outlines();
-        for ends in lines.filter(|ends| frame.contains(ends[0])).take(MOST) {
-            self.sheet.placer.avoid_outline(ends);
-        }
-    }
-
     /// Where each object that is large enough to be named has its name: in its middle, or, where it lies before, behind or inside
     /// another one, at the rightmost of its lines.
     fn named_places(&self) -> Vec<(usize, Spot)> {
@@ -273,7 +259,6 @@ impl Overview<'_> {
         }
         for Named { spot, name, colour, event, gap } in names {
             if let Some(spot) = spot.filter(|spot| self.frame.grown(-6.0).contains(*spot)) {
-                self.avoid_lines_about(spot);
                 self.sheet.event = event.unwrap_or(self.step);
                 self.sheet.write_near(name, spot, gap, colour);
             }

@@ -43,7 +43,7 @@ pub fn plane_table(
     let room = sheet.caption(&table.title(), &table.note());
     sheet.drawing.description = table.description();
     let places = table.draw(&mut sheet, room);
-    Some(PlaneTable { drawing: sheet.drawing, rows: places, count: rows.len() })
+    Some(PlaneTable { drawing: sheet.finish(), rows: places, count: rows.len() })
 }
 
 /// The table of the selected event, of the primitive that it belongs to, or the first below it.

@@ -69,6 +69,7 @@ impl Sheet {
         let faint = self.palette.faint;
         let rim = Stroke::solid(faint, 1.0);
         self.drawing.put(Form::Rect { frame: chart.frame, fill: None, stroke: Some(rim) }, None);
+        self.placer.avoid_ring(&super::rim(&chart.frame));
         let ink = self.palette.ink;
         let below = bottom + 13.0;
         if !self.write(names[0], [right + 6.0, below], Anchor::Start, SMALL, ink)
@@ -104,18 +105,22 @@ impl Sheet {
         if chart.scale() < CLOSEST {
             return;
         }
-        let stroke = Stroke::solid(self.palette.faint.faded(0.45), 0.8);
+        // A dark and a pale line beside each other: one of them is seen on any picture.
+        let (ground, ink) = (self.palette.ground.faded(0.4), self.palette.ink.faded(0.4));
+        let strokes = [Stroke::solid(ground, 1.8), Stroke::solid(ink, 0.8)];
         let whole = |[low, high]: [f64; 2]| {
             let first = low.ceil();
             // No canvas has room for more at that distance.
             (0..4_000).map(move |i| first + f64::from(i)).take_while(move |at| *at <= high)
         };
         let ([left, top], [right, bottom]) = (chart.frame.low, chart.frame.high);
-        for x in whole(chart.x.values).map(|x| chart.x.at(x)) {
-            self.line(&chart.frame, &[[x, top], [x, bottom]], stroke);
-        }
-        for y in whole(chart.y.values).map(|y| chart.y.at(y)) {
-            self.line(&chart.frame, &[[left, y], [right, y]], stroke);
+        for stroke in strokes {
+            for x in whole(chart.x.values).map(|x| chart.x.at(x)) {
+                self.line(&chart.frame, &[[x, top], [x, bottom]], stroke);
+            }
+            for y in whole(chart.y.values).map(|y| chart.y.at(y)) {
+                self.line(&chart.frame, &[[left, y], [right, y]], stroke);
+            }
         }
     }
 }

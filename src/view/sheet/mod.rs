@@ -7,6 +7,7 @@ mod clip;
 pub(super) use chart::{Chart, Oblique, bounds, within_axes};
 use clip::{clipped_line, clipped_ring};
 
+use crate::math::portable;
 use crate::record::EventId;
 use crate::view::fonts::text_width;
 use crate::view::labels::{Label, Placer, shortened, wrapped};
@@ -50,6 +51,14 @@ impl Fact {
     }
 }
 
+/// A name that gets its place once all lines are known.
+struct Name {
+    /// What is written, longer ones first: the first that finds room.
+    labels: Vec<Label>,
+    around: Spot,
+    gap: f64,
+}
+
 /// A drawing in the making.
 pub(super) struct Sheet {
     pub drawing: Drawing,
@@ -57,13 +66,31 @@ pub(super) struct Sheet {
     pub palette: &'static Palette,
     /// The event that new marks stand for.
     pub event: EventId,
+    names: Vec<Name>,
 }
 
 impl Sheet {
     pub fn new(size: [f64; 2], theme: Theme, event: EventId) -> Self {
         let palette = theme.palette();
         let drawing = Drawing::new(size, palette.ground);
-        Self { placer: Placer::new(drawing.frame().grown(-2.0)), drawing, palette, event }
+        Self { placer: Placer::new(drawing.frame().grown(-2.0)), drawing, palette, event, names: Vec::new() }
+    }
+
+    /// The drawing, with its names in their places and all texts above all lines.
+    pub fn finish(mut self) -> Drawing {
+        self.place_names();
+        let (texts, marks) = self.drawing.marks.into_iter().partition(|mark| matches!(mark.form, Form::Text(_)));
+        self.drawing.marks = marks;
+        self.drawing.marks.extend::<Vec<_>>(texts);
+        self.drawing
+    }
+
+    /// Puts the names so far where they cover least of what was drawn so far.
+    pub fn place_names(&mut self) {
+        for Name { labels, around, gap } in std::mem::take(&mut self.names) {
+            let mut put = |label| self.placer.put_near(&mut self.drawing, around, gap, label, self.palette);
+            let _ = labels.iter().any(&mut put);
+        }
     }
 
     /// The heading and a note of three lines at most; returns the room that is left below them.
@@ -160,17 +187,42 @@ impl Sheet {
         self.placer.put_at(&mut self.drawing, text, Some(self.event))
     }
 
-    /// Writes a text near a place, where it covers least.
-    pub fn write_near(&mut self, text: &str, around: Spot, gap: f64, colour: Colour) -> bool {
-        let label = Label::new(text, TEXT, colour).of(self.event);
-        self.placer.put_near(&mut self.drawing, around, gap, &label, self.palette)
+    /// The same where lines may run below it.
+    pub fn write_over(&mut self, text: &str, at: Spot, anchor: Anchor, colour: Colour) -> bool {
+        let text = Label::new(text, SMALL, colour).at(at, anchor, Some(self.palette.ground));
+        self.placer.put_at(&mut self.drawing, text, Some(self.event))
     }
 
-    /// A line from point to point, as far as it lies within the frame.
+    /// Writes a text near a place, where it covers least of the whole drawing.
+    pub fn write_near(&mut self, text: &str, around: Spot, gap: f64, colour: Colour) {
+        self.write_one_near(&[text], around, gap, colour);
+    }
+
+    /// The same with the first of several texts that finds room.
+    pub fn write_one_near(&mut self, texts: &[&str], around: Spot, gap: f64, colour: Colour) {
+        let labels = texts.iter().map(|text| Label::new(*text, TEXT, colour).of(self.event)).collect();
+        self.names.push(Name { labels, around, gap });
+    }
+
+    /// A line from point to point, as far as it lies within the frame. Names keep off it if it is no grid's.
     pub fn line(&mut self, within: &Frame, points: &[Spot], stroke: Stroke) {
         for points in clipped_line(within, points) {
+            if stands_out(stroke) {
+                self.placer.avoid_outline(&points);
+            }
             self.drawing.put(Form::Line { points, stroke }, self.event);
         }
+    }
+
+    /// A part of a circle between two angles in radians, from the x axis towards the y axis.
+    pub fn arc(&mut self, centre: Spot, radius: f64, angles: [f64; 2], stroke: Stroke) {
+        const PARTS: u32 = 12;
+        let along = |part: u32| angles[0] + (angles[1] - angles[0]) * f64::from(part) / f64::from(PARTS);
+        let (sin, cos) = (|part| portable::sin(along(part)), |part| portable::cos(along(part)));
+        let points: Vec<Spot> =
+            (0..=PARTS).map(|part| [centre[0] + radius * cos(part), centre[1] + radius * sin(part)]).collect();
+        self.placer.avoid_outline(&points);
+        self.drawing.put(Form::Arc { centre, radius, angles, stroke }, self.event);
     }
 
     /// The same back to where it began.
@@ -202,6 +254,7 @@ impl Sheet {
         if within.grown(0.5).contains(centre) {
             let stroke = Some(Stroke::solid(self.palette.ground, 1.5));
             self.drawing.put(Form::Circle { centre, radius, fill: Some(fill), stroke }, self.event);
+            self.placer.avoid_spot(centre, radius);
         }
     }
 
@@ -218,6 +271,11 @@ impl Sheet {
         }
         seen
     }
+}
+
+/// Whether a text across such a line would be hard to read.
+fn stands_out(stroke: Stroke) -> bool {
+    stroke.width >= 0.9 && stroke.colour.a > 100
 }
 
 /// Whether there is room for a drawing at all.

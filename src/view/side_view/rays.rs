@@ -200,9 +200,6 @@ impl SideView<'_> {
         let event = Some(flight.event).filter(|event| self.has_happened(*event));
         let name = if is_camera { "eye" } else { "start" };
         if self.drawing.frame().contains(at) {
-            if is_camera {
-                self.image_plane();
-            }
             let rim = Some(Stroke::solid(self.palette.ink, 1.6));
             let fill = Some(self.palette.ground);
             self.drawing.put(Form::Circle { centre: at, radius: 5.0, fill, stroke: rim }, event);
@@ -210,6 +207,9 @@ impl SideView<'_> {
             self.drawing.put(Form::Circle { centre: at, radius: 2.0, fill, stroke: None }, event);
             self.placer.avoid_spot(at, 6.0);
             self.label_later(at, 8.0, Label { event, ..Label::new(name, TEXT, self.palette.ink) });
+            if is_camera {
+                self.image_plane();
+            }
         } else if let Some([entry, _]) = self.visible(&flight, 0.0, f64::INFINITY) {
             let distance = length([entry[0] - at[0], entry[1] - at[1]]) / self.plane.scale;
             let frame = self.drawing.frame().grown(-14.0);

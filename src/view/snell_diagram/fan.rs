@@ -128,7 +128,7 @@ impl Fan {
         for (share, angles, text) in arcs.into_iter().chain(second) {
             let radius = share * self.radius;
             let stroke = Stroke::solid(colour, 1.6);
-            sheet.drawing.put(Form::Arc { centre: self.centre, radius, angles, stroke }, sheet.event);
+            sheet.arc(self.centre, radius, angles, stroke);
             let (sin, cos) = portable::sin_cos(f64::midpoint(angles[0], angles[1]));
             let middle = [self.centre[0] + radius * cos, self.centre[1] + radius * sin];
             if let Some(text) = text {
@@ -163,8 +163,7 @@ impl Fan {
             ends.insert(0, (self.at(out, 180.0 - theta2), text, palette.refracted));
         }
         for (at, text, colour) in ends {
-            let label = Label::new(text, TEXT, colour).of(sheet.event);
-            sheet.placer.put_near(&mut sheet.drawing, at, 6.0, &label, palette);
+            sheet.write_near(&text, at, 6.0, colour);
         }
     }
 }

@@ -38,11 +38,9 @@ pub(super) fn draw(sheet: &mut Sheet, room: Frame, interface: &Interface) {
     let foot = chart.at([interface.theta1, 0.0]);
     sheet.line(&chart.frame, &[foot, here], Stroke::dashed(palette.highlight, 1.4, [3.0, 3.0]));
     sheet.mark(&chart.frame.grown(1.0), here, 5.0, palette.reflected);
-    sheet.placer.avoid_spot(here, 6.0);
     let text = format!("R = {} at {}", brief(interface.reflectance), degrees(interface.theta1));
-    if !sheet.write_near(&text, here, 8.0, palette.reflected) {
-        sheet.write_near(&format!("R = {}", brief(interface.reflectance)), here, 8.0, palette.reflected);
-    }
+    let shorter = format!("R = {}", brief(interface.reflectance));
+    sheet.write_one_near(&[&text, &shorter], here, 8.0, palette.reflected);
     for (which, stroke, name, share) in curves {
         // Each name stands where its curve is between the ground and total reflection.
         let end = interface.critical.unwrap_or(90.0);

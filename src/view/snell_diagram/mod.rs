@@ -48,10 +48,12 @@ pub fn snell_diagram(tree: &RayTree, selected: EventId, size: [f64; 2], theme: T
     sheet.placer.reserve(right_of);
     sheet.placer.reserve(Frame { low: [0.0, left.low[1]], high: [left.low[0] - 2.0, left.high[1]] });
     fan::draw(&mut sheet, &left, &interface);
+    // Before the chart beside it keeps names within itself.
+    sheet.place_names();
     if let Some(right) = right.filter(is_roomy) {
         fresnel::draw(&mut sheet, right, &interface);
     }
-    Some(sheet.drawing)
+    Some(sheet.finish())
 }
 
 fn read(story: &Story, event: EventId) -> Option<Interface> {
