@@ -71,7 +71,7 @@ impl Workbench {
     /// Shows what went wrong, and returns the room below.
     fn messages(&mut self, ui: &mut Ui, rest: Rect) -> Rect {
         let Some(problem) = &self.problem else { return rest };
-        let (message, below) = rest.split_top_bottom_at_y(rest.top() + problem::height(problem, rest.height()));
+        let (message, below) = rest.split_top_bottom_at_y(rest.top() + problem::height(ui, problem, rest.size()));
         if problem::ui(ui, message, problem, self.open.as_ref()) {
             self.problem = None;
         }

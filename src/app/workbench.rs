@@ -59,6 +59,8 @@ pub struct Look {
 /// Why a scene could not be opened.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Problem {
+    /// What could not be done, as a message of the catalogue that takes the name.
+    pub title: &'static str,
     /// The scene's name, or its file's.
     pub name: String,
     /// Everything that is wrong with it.
@@ -157,7 +159,12 @@ impl Workbench {
     }
 
     pub(in crate::app) fn refuse(&mut self, name: &str, text: String) {
-        self.problem = Some(Problem { name: name.to_owned(), text });
+        self.problem = Some(Problem { title: "problem-title", name: name.to_owned(), text });
+    }
+
+    /// Says why a file is not saved.
+    pub(in crate::app) fn refuse_to_save(&mut self, name: &str, text: String) {
+        self.problem = Some(Problem { title: "problem-unsaved", name: name.to_owned(), text });
     }
 
     /// Switches effects on and off: the picture is rendered and the pixel recorded anew.
@@ -365,6 +372,10 @@ impl Workbench {
             Some(Ok(text)) => self.open_text(ctx, &name, &text),
             Some(Err(Unread::NoText)) => self.refuse(&name, say(ctx, "file-no-text")),
             Some(Err(Unread::System(error))) => self.refuse(&name, unreadable(ctx, &error)),
+            Some(Err(Unread::NoDialogue)) => {
+                let text = say(ctx, "file-no-dialogue-to-open");
+                self.problem = Some(Problem { title: "problem-no-dialogue", name, text });
+            }
         }
     }
 }

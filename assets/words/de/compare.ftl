@@ -2,7 +2,7 @@
 
 menu-compare = Vergleichen
 compare-pin = Diese Geschichte anheften
-compare-pin-about = Behält die gezeigte Geschichte, wie sie jetzt ist, um andere mit ihr zu vergleichen: ein anderes Pixel, eine andere Szene, andere Einstellungen, vor und nach einer Änderung.
+compare-pin-about = Behält die gezeigte Geschichte, wie sie jetzt ist, um andere mit ihr zu vergleichen: ein anderer Bildpunkt, eine andere Szene, andere Einstellungen, vor und nach einer Änderung.
 compare-unpin = Angeheftete entfernen
 compare-unpin-about = Vergisst die angeheftete Geschichte, mit der verglichen wird.
 compare-next = Nächster Unterschied
@@ -18,7 +18,7 @@ compare-name = Name
 compare-page-stories = Geschichten
 compare-page-pictures = Bilder
 compare-page-foreign = Anderer Raytracer
-compare-nothing = Hefte eine Geschichte an; dann nimm ein anderes Pixel auf, öffne eine andere Szene oder ändere eine Einstellung: hier steht, was sich unterscheidet.
+compare-nothing = Hefte eine Geschichte an; dann nimm einen anderen Bildpunkt auf, öffne eine andere Szene oder ändere eine Einstellung: hier steht, was sich unterscheidet.
 compare-working = Vergleiche…
 compare-no-difference = Kein Unterschied in { $events } Ereignissen.
 compare-counts = { $same } gleich (=), { $changed } geändert (~), { $left } nur hier (−), { $right } nur angeheftet (+)
@@ -35,7 +35,7 @@ compare-only-there = nur angeheftet
 
 compare-rendering = Beide Bilder werden berechnet…
 compare-two-sizes = Die Bilder sind verschieden groß und lassen sich nicht übereinanderlegen.
-compare-figures = Größter Unterschied eines Kanals { $largest }, quadratisches Mittel { $rmse }, { $pixels } Pixel verschieden
+compare-figures = Größter Unterschied eines Kanals { $largest }, quadratisches Mittel { $rmse }, { $pixels } Bildpunkte verschieden
 compare-amplified = Den Unterschied zeigen, so verstärkt, dass der größte weiß ist
 compare-slider = Zwischen den beiden Bildern
 compare-picture = Die beiden Bilder

@@ -44,3 +44,27 @@ tour-along = Was sich davon zeichnen lässt
 tour-along-about = Intervalllisten der CSG-Knoten, das Vorzeichen von d(t), die Winkel von Snellius, Texel und mehr, was eben zum Ereignis gehört.
 tour-more = Und noch mehr
 tour-more-about = Die Knöpfe oben rechts wechseln die Anordnung, das Menü Ansicht hat weitere Felder, Strg+K findet jeden Befehl und jede Szene, und F1 zeigt die Tasten.
+
+# Tasten, wie sie auf Tastaturen stehen
+key-control = Strg
+key-shift = Umschalt
+key-space = Leertaste
+key-enter = Eingabe
+key-escape = Esc
+key-tab = Tab
+key-backspace = Rücktaste
+key-delete = Entf
+key-home = Pos1
+key-end = Ende
+key-page-up = Bild ↑
+key-page-down = Bild ↓
+key-up = ↑
+key-down = ↓
+key-left = ←
+key-right = →
+key-period = .
+key-comma = ,
+key-slash = /
+key-plus = Plus
+key-minus = Minus
+key-equals = Gleich

@@ -105,10 +105,14 @@ view-reduced-motion = Weniger Bewegung
 view-reduced-motion-about = Nichts blendet, gleitet oder rollt von selbst.
 
 problem-title = { $name } lässt sich nicht öffnen.
+problem-unsaved = { $name } ist nicht gesichert.
+problem-no-dialogue = Es lässt sich kein Dateidialog zeigen.
 problem-stays = { $name } bleibt geöffnet.
 opening = { $name } wird geöffnet…
 opening-cancel = Abbrechen
 file-unreadable = Die Datei lässt sich nicht lesen: { $error }.
 file-open = Szene öffnen
 file-scenes = Szenendateien
+file-no-dialogue-to-open = Dialoge kommen von xdg-desktop-portal mit einem Backend für die Arbeitsumgebung, oder von zenity; keines von beiden antwortet. Zieh die Datei auf das Fenster, oder nenne sie in der Befehlszeile: rayscope open DATEI.
+file-no-dialogue-to-save = Es lässt sich kein Dateidialog zeigen: Sie kommen von xdg-desktop-portal mit einem Backend für die Arbeitsumgebung, oder von zenity, und keines von beiden antwortet. Installiere eines davon und versuche es noch einmal.
 file-no-text = Die Datei ist kein Text und damit keine Szene.

@@ -1,26 +1,26 @@
-# Pixel danach finden, was ihren Strahlen geschehen ist, und Karten.
+# Bildpunkte danach finden, was ihren Strahlen geschehen ist, und Karten.
 
 menu-search = Suche
 
-search-field = Pixel finden
-search-hint = Pixel finden, etwa tir, oder hit & depth>=2
-search-find = Pixel finden…
-search-find-about = Pixel danach finden, was ihren Strahlen geschehen ist.
+search-field = Bildpunkte finden
+search-hint = Bildpunkte finden, etwa tir, oder hit & depth>=2
+search-find = Bildpunkte finden…
+search-find-about = Bildpunkte danach finden, was ihren Strahlen geschehen ist.
 search-next = Nächster Fund
-search-next-about = Das nächste gefundene Pixel aufzeichnen und das Ereignis auswählen, dessentwegen es gefunden wurde.
+search-next-about = Den nächsten gefundenen Bildpunkt aufzeichnen und das Ereignis auswählen, dessentwegen er gefunden wurde.
 search-previous = Voriger Fund
-search-previous-about = Das vorige gefundene Pixel aufzeichnen und das Ereignis auswählen, dessentwegen es gefunden wurde.
+search-previous-about = Den vorigen gefundenen Bildpunkt aufzeichnen und das Ereignis auswählen, dessentwegen er gefunden wurde.
 search-clear = Suche vergessen
 search-clear-about = Das Feld, die Liste und die Zeichen auf dem Bild löschen.
 search-presets = Beispiele
 search-results = Funde
 search-words = Wörter
 search-maps = Karten
-search-count = { $count } von { $all } Pixeln
+search-count = { $count } von { $all } Bildpunkten
 search-at = { $at } von { $count }
 search-running = sucht: { $percent }
-search-invitation = Eingeben, was gefunden werden soll: ein Wort wie tir, shadowed oder csg.early_out, oder ein Vergleich wie kind=refracted. & heißt und, | heißt oder, ! heißt nicht. Jedes Pixel, in dessen Geschichte ein solches Ereignis vorkommt, wird im Bild schraffiert und hier aufgezählt.
-search-language = Eine Frage fragt nach einem Ereignis; ein Pixel wird gefunden, wenn eines seiner Ereignisse so ist. & heißt und, | heißt oder, ! heißt nicht, has(…) sieht alles an, was unter einem Ereignis liegt. In Namen steht * für Beliebiges. Was auf einen Treffer folgt, hat das Objekt dieses Treffers, und jedes Ereignis hat Art und Tiefe seines Strahls.
+search-invitation = Eingeben, was gefunden werden soll: ein Wort wie tir, shadowed oder csg.early_out, oder ein Vergleich wie kind=refracted. & heißt und, | heißt oder, ! heißt nicht. Jeder Bildpunkt, in dessen Geschichte ein solches Ereignis vorkommt, wird im Bild schraffiert und hier aufgezählt.
+search-language = Eine Frage fragt nach einem Ereignis; ein Bildpunkt wird gefunden, wenn eines seiner Ereignisse so ist. & heißt und, | heißt oder, ! heißt nicht, has(…) sieht alles an, was unter einem Ereignis liegt. In Namen steht * für Beliebiges. Was auf einen Treffer folgt, hat das Objekt dieses Treffers, und jedes Ereignis hat Art und Tiefe seines Strahls.
 search-words-plain = Wörter
 search-words-names = Felder mit Namen: = oder !=
 search-words-numbers = Felder mit Zahlen: = != < <= > >=
@@ -29,13 +29,13 @@ search-words-group = Mit einer Frage in Klammern
 map-none = Keine Karte
 map-none-about = Das Bild ohne Karte zeigen.
 map-rays = Strahlen
-map-rays-about = Eine Karte davon, wie viele Strahlen jedes Pixel aussendet.
+map-rays-about = Eine Karte davon, wie viele Strahlen jeder Bildpunkt aussendet.
 map-tests = Tests
-map-tests-about = Eine Karte davon, wie viele Tests gegen Grundkörper und Hüllen jedes Pixel kostet.
+map-tests-about = Eine Karte davon, wie viele Tests gegen Grundkörper und Hüllen jeder Bildpunkt kostet.
 map-depth = Tiefe
-map-depth-about = Eine Karte davon, wie weit der tiefste Strahl jedes Pixels vom Auge entfernt ist.
+map-depth-about = Eine Karte davon, wie weit der tiefste Strahl jedes Bildpunkts vom Auge entfernt ist.
 map-time = Zeit
-map-time-about = Eine Karte davon, wie lange jedes Pixel auf einem Thread braucht, mehrmals gemessen.
+map-time-about = Eine Karte davon, wie lange jeder Bildpunkt auf einem Thread braucht, mehrmals gemessen.
 map-error = Fehler von t
 map-error-about = Eine Karte der Schranke für den Fehler der ersten Trefferzeit.
 map-object = Objekte

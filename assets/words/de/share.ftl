@@ -3,7 +3,7 @@
 menu-share = Teilen
 
 share-copy-link = Link kopieren
-share-copy-link-about = Ein Link, der diese Szene, dieses Pixel, dieses Ereignis und diese Anordnung wieder öffnet, hier oder bei anderen.
+share-copy-link-about = Ein Link, der diese Szene, diesen Bildpunkt, dieses Ereignis und diese Anordnung wieder öffnet, hier oder bei anderen.
 share-open-link = Link öffnen…
 share-open-link-about = Einen Link einfügen und sehen, was jemand anders sah.
 share-copy-text = Als Text kopieren
@@ -50,5 +50,5 @@ share-link-help = Füge ein, was „Link kopieren“ gemacht hat: Es beginnt mit
 share-link-field = Link
 share-link-follow = Öffnen
 share-link-unknown = Der Link verlangt „{ $name }“, was dieses rayscope nicht hat; alles Übrige wird gezeigt.
-share-link-outside = Das Pixel ({ $x }, { $y }) des Links liegt außerhalb des Bildes, das sich seither geändert hat.
+share-link-outside = Der Bildpunkt ({ $x }, { $y }) des Links liegt außerhalb des Bildes, das sich seither geändert hat.
 share-link-flawed = Der Text der Szene hat Fehler, so dass niemand den Link öffnen könnte; behebe sie zuerst.

@@ -32,6 +32,7 @@ step-faster = Schneller abspielen
 step-faster-about = Mehr Schritte in der Sekunde.
 step-slower = Langsamer abspielen
 step-slower-about = Weniger Schritte in der Sekunde.
+decimal-sign = ,
 step-speed = { $speed } je Sekunde
 step-speed-about = Wie viele Schritte in einer Sekunde abgespielt werden.
 

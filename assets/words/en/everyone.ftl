@@ -44,3 +44,27 @@ tour-along = What can be drawn of it
 tour-along-about = Interval lists of CSG nodes, the sign of d(t), Snell’s angles, texels and more, whatever belongs to the selected event.
 tour-more = There is more
 tour-more-about = The buttons at the top right change the layout, the View menu has more panels, Ctrl+K finds every command and scene, and F1 shows the keys.
+
+# Keys as they stand on keyboards
+key-control = Ctrl
+key-shift = Shift
+key-space = Space
+key-enter = Enter
+key-escape = Esc
+key-tab = Tab
+key-backspace = Backspace
+key-delete = Delete
+key-home = Home
+key-end = End
+key-page-up = Page up
+key-page-down = Page down
+key-up = ↑
+key-down = ↓
+key-left = ←
+key-right = →
+key-period = .
+key-comma = ,
+key-slash = /
+key-plus = Plus
+key-minus = Minus
+key-equals = Equals

@@ -105,10 +105,14 @@ view-reduced-motion = Reduced motion
 view-reduced-motion-about = Nothing fades, slides or scrolls by itself.
 
 problem-title = { $name } cannot be opened.
+problem-unsaved = { $name } is not saved.
+problem-no-dialogue = No file dialogue can be shown.
 problem-stays = { $name } stays open.
 opening = Opening { $name }…
 opening-cancel = Cancel
 file-unreadable = The file cannot be read: { $error }.
 file-open = Open a scene
 file-scenes = Scene files
+file-no-dialogue-to-open = Dialogues come from xdg-desktop-portal with a backend for the desktop, or from zenity; neither answers. Drop the file on the window, or name it on the command line: rayscope open FILE.
+file-no-dialogue-to-save = No file dialogue can be shown: they come from xdg-desktop-portal with a backend for the desktop, or from zenity, and neither answers. Install one of them and try again.
 file-no-text = The file is not text, so it is no scene.

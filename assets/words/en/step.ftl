@@ -32,6 +32,7 @@ step-faster = Play faster
 step-faster-about = More steps a second.
 step-slower = Play slower
 step-slower-about = Fewer steps a second.
+decimal-sign = .
 step-speed = { $speed } a second
 step-speed-about = How many steps are played in a second.
 

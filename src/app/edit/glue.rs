@@ -359,6 +359,11 @@ impl Workbench {
         match self.editing.saving.chosen() {
             Place::File(path) => self.save_as(ctx, path),
             Place::Closed => self.editing.saving.then = None,
+            Place::Missing => {
+                self.editing.saving.then = None;
+                let name = self.editing.name.clone();
+                self.refuse_to_save(&name, say(ctx, "file-no-dialogue-to-save"));
+            }
             Place::Waiting => {}
         }
         if let Some(written) = self.editing.saving.take() {
@@ -386,7 +391,7 @@ impl Workbench {
                     Refusal::Changed => say(ctx, "edit-changed-on-disk"),
                     Refusal::System(why) => say_with(ctx, "edit-not-saved", &[("why", (&why).into())]),
                 };
-                self.refuse(&name, why);
+                self.refuse_to_save(&name, why);
             }
         }
     }

@@ -2,7 +2,7 @@
 
 use crate::app::edit::dialog::Then;
 use crate::app::frame::background::Background;
-use crate::app::system;
+use crate::app::system::{self, NoDialogue};
 use crate::folder::{Outside, files_of_scene};
 use egui::Context;
 use serde_json::Value;
@@ -47,7 +47,7 @@ pub enum Refusal {
 #[derive(Default)]
 pub struct Saving {
     job: Option<Background<Written>>,
-    dialogue: Option<Receiver<Option<PathBuf>>>,
+    dialogue: Option<Receiver<Result<Option<PathBuf>, NoDialogue>>>,
     /// What is to be done when the file is written.
     pub then: Option<Then>,
 }
@@ -58,6 +58,8 @@ pub enum Place {
     Waiting,
     /// It was closed.
     Closed,
+    /// The system shows none.
+    Missing,
     /// A file was chosen.
     File(PathBuf),
 }
@@ -95,12 +97,14 @@ impl Saving {
 
     /// What was chosen in the dialogue, once.
     pub fn chosen(&mut self) -> Place {
-        let answer = match self.dialogue.as_ref().map(Receiver::try_recv) {
+        let place = match self.dialogue.as_ref().map(Receiver::try_recv) {
             None | Some(Err(TryRecvError::Empty)) => return Place::Waiting,
-            Some(answer) => answer.ok().flatten(),
+            Some(Ok(Ok(Some(path)))) => Place::File(path),
+            Some(Ok(Err(NoDialogue))) => Place::Missing,
+            Some(Ok(Ok(None)) | Err(TryRecvError::Disconnected)) => Place::Closed,
         };
         self.dialogue = None;
-        answer.map_or(Place::Closed, Place::File)
+        place
     }
 }
 

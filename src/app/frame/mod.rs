@@ -4,6 +4,7 @@ pub mod background;
 pub mod code;
 pub mod empty;
 pub mod file_dialog;
+pub mod key_names;
 pub mod menu;
 pub mod problem;
 pub mod scene_menu;

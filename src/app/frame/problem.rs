@@ -1,19 +1,24 @@
-//! What is wrong with a scene that could not be opened.
+//! What is wrong with a file that could not be opened, or not be saved.
 
 use crate::app::frame::theme::Palette;
 use crate::app::frame::words::{say, say_with};
 use crate::app::workbench::{OpenScene, Problem};
-use egui::{Align, CornerRadius, Label, Layout, Rect, RichText, ScrollArea, Stroke, StrokeKind, Ui, UiBuilder};
+use egui::{
+    Align, Color32, CornerRadius, Label, Layout, Rect, RichText, ScrollArea, Stroke, StrokeKind, TextStyle, Ui,
+    UiBuilder, Vec2,
+};
 
-/// Height of a line of the message, in points.
-const LINE: f32 = 17.0;
 /// Height of everything but the message, in points.
 const AROUND: f32 = 62.0;
+/// Width of everything but the message: the margins, and the bar where it scrolls, in points.
+const BESIDE: f32 = 40.0;
 
 /// The height that the message needs, up to half of what there is.
 #[must_use]
-pub fn height(problem: &Problem, available: f32) -> f32 {
-    (AROUND + LINE * problem.text.lines().count() as f32).min(available / 2.0)
+pub fn height(ui: &Ui, problem: &Problem, available: Vec2) -> f32 {
+    let font = TextStyle::Monospace.resolve(ui.style());
+    let text = ui.painter().layout(problem.text.clone(), font, Color32::WHITE, available.x - BESIDE);
+    (AROUND + text.size().y).min(available.y / 2.0)
 }
 
 /// Shows the message; returns whether it was closed.
@@ -33,7 +38,7 @@ pub fn ui(ui: &mut Ui, rect: Rect, problem: &Problem, open: Option<&OpenScene>) 
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                 closed = ui.button(say(ui.ctx(), "close")).clicked();
                 ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
-                    let title = say_with(ui.ctx(), "problem-title", &[("name", (&problem.name).into())]);
+                    let title = say_with(ui.ctx(), problem.title, &[("name", (&problem.name).into())]);
                     let stays =
                         |open: &OpenScene| say_with(ui.ctx(), "problem-stays", &[("name", (&open.name).into())]);
                     let title = open.map_or_else(|| title.clone(), |open| format!("{title} {}", stays(open)));
@@ -41,8 +46,8 @@ pub fn ui(ui: &mut Ui, rect: Rect, problem: &Problem, open: Option<&OpenScene>) 
                 });
             });
         });
-        ScrollArea::both().auto_shrink(false).show(ui, |ui| {
-            ui.add(Label::new(RichText::new(&problem.text).monospace()).extend().selectable(true));
+        ScrollArea::vertical().auto_shrink(false).min_scrolled_height(0.0).show(ui, |ui| {
+            ui.add(Label::new(RichText::new(&problem.text).monospace()).wrap().selectable(true));
         });
     });
     closed

@@ -2,6 +2,7 @@
 
 use super::Outcome;
 use crate::app::command::Command;
+use crate::app::frame::key_names::key_name;
 use crate::app::frame::theme::bold;
 use crate::app::frame::words::say;
 use egui::{Align, Id, Label, Layout, Modal, RichText, ScrollArea, Ui, vec2};
@@ -10,7 +11,7 @@ use egui::{Align, Id, Label, Layout, Modal, RichText, ScrollArea, Ui, vec2};
 const WIDTH: f32 = 620.0;
 
 /// Width of the column of keys, in points.
-const KEYS: f32 = 150.0;
+const KEYS: f32 = 186.0;
 
 /// Keys that mean something within a panel: the panel, the keys as they are written, what they do.
 const WITHIN: &[(&str, &str)] = &[
@@ -53,7 +54,7 @@ fn table(ui: &mut Ui) {
         }
         heading(ui, menu);
         for (command, key) in keyed {
-            row(ui, &ui.ctx().format_shortcut(&key), &format!("{}-about", command.word()));
+            row(ui, &key_name(ui.ctx(), key), &format!("{}-about", command.word()));
         }
     }
     heading(ui, "keys-within");

@@ -3,6 +3,7 @@
 use super::Outcome;
 use super::matching::score;
 use crate::app::command::Command;
+use crate::app::frame::key_names::key_name;
 use crate::app::frame::theme;
 use crate::app::frame::words::{say, say_with};
 use crate::app::workbench::Workbench;
@@ -109,7 +110,8 @@ impl Palette {
             .filter_map(|line| Some((score(&self.typed, &line.title)?, line)))
             .collect();
         if !self.typed.is_empty() {
-            lines.sort_by_key(|(score, _)| std::cmp::Reverse(*score));
+            // What cannot be done now comes after what can, however well it goes with the letters.
+            lines.sort_by_key(|(score, line)| (!line.is_possible, std::cmp::Reverse(*score)));
         }
         lines.into_iter().map(|(_, line)| line).collect()
     }
@@ -123,7 +125,7 @@ fn of_command(ctx: &egui::Context, workbench: &Workbench, menu: &str, command: C
             say(ctx, command.word())
         ),
         about: say(ctx, &format!("{}-about", command.word())),
-        key: command.key().map_or_else(String::new, |key| ctx.format_shortcut(&key)),
+        key: command.key().map_or_else(String::new, |key| key_name(ctx, key)),
         is_possible: command.is_possible(workbench),
         outcome: Outcome::Run(command),
     }
@@ -134,7 +136,7 @@ fn show(ui: &mut Ui, line: &Line, is_chosen: bool) -> bool {
     let width = ui.available_width();
     let button = Button::new(line.title.as_str())
         .selected(is_chosen)
-        .frame_when_inactive(false)
+        .frame_when_inactive(is_chosen)
         .shortcut_text(line.key.as_str())
         .min_size(egui::vec2(width, 0.0));
     let response = ui.add_enabled(line.is_possible, button);

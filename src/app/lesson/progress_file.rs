@@ -1,7 +1,8 @@
 //! What a student has done, as a file: written out and read in when asked for.
 
 use crate::app::frame::background::Background;
-use crate::app::system::{self, Picked};
+use crate::app::frame::words::say;
+use crate::app::system::{self, NoDialogue, Picked};
 use crate::lesson::Progress;
 use egui::Context;
 use std::path::{Path, PathBuf};
@@ -24,9 +25,13 @@ pub enum Exchange {
 /// Asks where to, and writes.
 pub fn export(ctx: &Context, progress: &Progress) -> Option<Background<Exchange>> {
     let text = progress.to_json();
+    let missing = say(ctx, "file-no-dialogue-to-save");
     Background::start(ctx, "progress", move |_, publish| {
-        let path = system::ask_where(None, NAME, "json");
-        publish(path.map_or(Exchange::Given, |path| write(&path, &text)));
+        publish(match system::ask_where(None, NAME, "json") {
+            Ok(Some(path)) => write(&path, &text),
+            Ok(None) => Exchange::Given,
+            Err(NoDialogue) => Exchange::Failed(missing),
+        });
     })
 }
 

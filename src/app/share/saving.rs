@@ -3,7 +3,8 @@
 use super::Aim;
 use super::product::{Files, Material, Product, Result};
 use crate::app::frame::background::Background;
-use crate::app::system;
+use crate::app::frame::words::say;
+use crate::app::system::{self, NoDialogue};
 use egui::Context;
 use std::path::Path;
 use std::sync::Arc;
@@ -22,6 +23,7 @@ impl Saving {
     /// Begins; none where no thread can be started.
     pub fn start(ctx: &Context, material: Material, product: Product, aim: Aim) -> Option<Self> {
         let parts = Arc::new(AtomicUsize::new(0));
+        let missing = say(ctx, "file-no-dialogue-to-save");
         let (shown, repaint) = (Arc::clone(&parts), ctx.clone());
         let job = Background::start(ctx, "share", move |progress, publish| {
             let watch = |done: usize, of: usize| {
@@ -33,8 +35,9 @@ impl Saving {
                 Aim::Clipboard => product.copy(&material, &watch),
                 Aim::File(path) => save(&material, product, &path, &watch),
                 Aim::Ask => match system::ask_where(None, &product.file_name(&material.name), product.ending()) {
-                    Some(path) => save(&material, product, &path, &watch),
-                    None => Result::Given,
+                    Ok(Some(path)) => save(&material, product, &path, &watch),
+                    Ok(None) => Result::Given,
+                    Err(NoDialogue) => Result::Failed(missing),
                 },
             });
         })?;

@@ -4,7 +4,7 @@ use crate::app::frame::theme::Palette;
 use crate::app::frame::words::{say, say_with};
 use crate::app::workbench::Workbench;
 use crate::story::Breakpoint;
-use egui::{Color32, Key, RichText, TextEdit, TextStyle, Ui};
+use egui::{Align, Color32, Key, Label, Layout, RichText, TextEdit, TextStyle, TextWrapMode, Ui, vec2};
 
 /// What was done with the list.
 enum Change {
@@ -31,20 +31,25 @@ fn line(ui: &mut Ui, place: usize, breakpoint: &Breakpoint) -> Option<Change> {
     let question = breakpoint.query.to_string();
     let name = breakpoint.title.map_or_else(|| question.clone(), str::to_owned);
     let mut change = None;
-    ui.horizontal_wrapped(|ui| {
-        let mut enabled = breakpoint.enabled;
-        let tick = ui.checkbox(&mut enabled, &name).on_hover_text(&question);
-        if tick.changed() {
-            change = Some(Change::Switch(place, enabled));
-        }
-        let hits = say_with(ui.ctx(), "step-breakpoint-hits", &[("count", breakpoint.hits.len().into())]);
-        ui.label(RichText::new(hits).small().weak());
+    let height = ui.spacing().interact_size.y;
+    // From the right, so that the name has the room that the others leave.
+    ui.allocate_ui_with_layout(vec2(ui.available_width(), height), Layout::right_to_left(Align::Center), |ui| {
         let remove = say_with(ui.ctx(), "step-breakpoint-remove", &[("name", (&name).into())]);
         let button = ui.small_button("×");
         button.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, &remove));
         if button.on_hover_text(remove).clicked() {
             change = Some(Change::Remove(place));
         }
+        let hits = say_with(ui.ctx(), "step-breakpoint-hits", &[("count", breakpoint.hits.len().into())]);
+        ui.add(Label::new(RichText::new(hits).small().weak()).extend());
+        ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+            ui.style_mut().wrap_mode = Some(TextWrapMode::Truncate);
+            let mut enabled = breakpoint.enabled;
+            let tick = ui.checkbox(&mut enabled, &name).on_hover_text(format!("{name}\n{question}"));
+            if tick.changed() {
+                change = Some(Change::Switch(place, enabled));
+            }
+        });
     });
     change
 }

@@ -1,9 +1,11 @@
 //! What is looked for among the events: by ray, object, kind and words.
 
+use crate::app::frame::menu;
+use crate::app::frame::theme::Palette;
 use crate::app::frame::words::{say, say_with};
 use crate::app::workbench::Workbench;
 use crate::story::{Filter, Kind, Story};
-use egui::{ScrollArea, TextEdit, Ui};
+use egui::{ScrollArea, Stroke, TextEdit, TextWrapMode, Ui};
 use std::collections::BTreeSet;
 
 /// Shows the conditions, and looks for what they say.
@@ -36,20 +38,29 @@ pub fn ui(ui: &mut Ui, workbench: &mut Workbench) {
 fn conditions(ui: &mut Ui, story: &Story, filter: &mut Filter) {
     let index = story.index();
     let rays = index.ray_kinds().map(|kind| (kind.name().to_owned(), kind));
-    menu(ui, "step-filter-rays", rays, &mut filter.rays);
+    ticks(ui, "step-filter-rays", rays, &mut filter.rays);
     let objects = index.objects().map(|name| (name.to_owned(), name.to_owned()));
-    menu(ui, "step-filter-objects", objects, &mut filter.objects);
+    ticks(ui, "step-filter-objects", objects, &mut filter.objects);
     let present = |kind: &&Kind| index.has(**kind);
     let kinds = Kind::ALL.iter().filter(present).map(|&kind| (kind.name().to_owned(), kind));
-    menu(ui, "step-filter-kinds", kinds, &mut filter.kinds);
+    ticks(ui, "step-filter-kinds", kinds, &mut filter.kinds);
 }
 
 /// A menu of things to tick. Its button says how many are ticked.
-fn menu<T: Ord + Clone>(ui: &mut Ui, word: &str, offered: impl Iterator<Item = (String, T)>, ticked: &mut BTreeSet<T>) {
+fn ticks<T: Ord + Clone>(
+    ui: &mut Ui,
+    word: &str,
+    offered: impl Iterator<Item = (String, T)>,
+    ticked: &mut BTreeSet<T>,
+) {
     let name = say(ui.ctx(), word);
     let title = if ticked.is_empty() { name } else { format!("{name} {}", ticked.len()) };
     ui.menu_button(title, |ui| {
-        ScrollArea::vertical().max_height(360.0).show(ui, |ui| {
+        // Menus take the rim from all that is not pointed at; a box that is not ticked would be seen by nobody.
+        ui.visuals_mut().widgets.inactive.bg_stroke = Stroke::new(1.0, Palette::current(ui.ctx()).weak);
+        ui.style_mut().wrap_mode = Some(TextWrapMode::Extend);
+        let height = menu::height(ui.ctx());
+        ScrollArea::vertical().max_height(height).min_scrolled_height(height).show(ui, |ui| {
             for (name, value) in offered {
                 let mut is_on = ticked.contains(&value);
                 if ui.checkbox(&mut is_on, name).changed() {

@@ -14,6 +14,9 @@ pub fn ui(ui: &mut Ui, workbench: &mut Workbench) {
         if std::mem::take(&mut stepping.wants_focus) {
             field.request_focus();
         }
+        if field.changed() {
+            stepping.note = None;
+        }
         let entered = field.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
         let pressed = ui.button(say(ui.ctx(), "step-jump-go")).clicked();
         if entered || pressed {

@@ -7,9 +7,9 @@ use crate::app::frame::words::say;
 use crate::record::EventId;
 use crate::story::Step;
 use crate::trace::RayTree;
-use crate::view::{Drawing, Theme, Timed, TimelineScale, timeline, timeline_height};
+use crate::view::{Drawing, TIMELINE_AXIS, Theme, Timed, TimelineScale, timeline, timeline_height};
 use egui::accesskit::Action;
-use egui::{EventFilter, Key as KeyName, Rect, Response, Role, Sense, Stroke, Ui, WidgetInfo, pos2};
+use egui::{EventFilter, Key as KeyName, Rangef, Rect, Response, Role, Sense, Stroke, Ui, WidgetInfo, pos2};
 use std::sync::Arc;
 
 /// Most height of the strip, in points: what would need more shares lanes.
@@ -104,8 +104,11 @@ fn paint_place(ui: &Ui, rect: Rect, scale: &TimelineScale, selected: EventId, re
     #[expect(clippy::cast_possible_truncation, reason = "screen coordinates are f32")]
     let x = rect.left() + scale.x(selected) as f32;
     let painter = ui.painter_at(rect);
-    painter.vline(x, rect.y_range(), Stroke::new(1.5, palette.accent));
-    let head = [pos2(x - 5.0, rect.bottom()), pos2(x + 5.0, rect.bottom()), pos2(x, rect.bottom() - 7.0)];
+    // Down to the axis: the numbers below it are to be read.
+    #[expect(clippy::cast_possible_truncation, reason = "a few points")]
+    let foot = rect.bottom() - TIMELINE_AXIS as f32;
+    painter.vline(x, Rangef::new(rect.top(), foot), Stroke::new(1.5, palette.accent));
+    let head = [pos2(x - 5.0, foot - 7.0), pos2(x + 5.0, foot - 7.0), pos2(x, foot)];
     painter.add(egui::Shape::convex_polygon(head.to_vec(), palette.accent, Stroke::NONE));
     if response.has_focus() {
         painter.rect_stroke(rect, 0.0, Stroke::new(1.0, palette.accent), egui::StrokeKind::Inside);

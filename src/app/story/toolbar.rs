@@ -4,6 +4,8 @@ use super::icon::{Icon, draw};
 use super::stepping::Drawer;
 use crate::app::command::{Command, Commands, StepCommand};
 use crate::app::dock::Preset;
+use crate::app::frame::key_names::key_name;
+use crate::app::frame::menu;
 use crate::app::frame::theme::Palette;
 use crate::app::frame::words::{say, say_with};
 use crate::app::story::recording::Recording;
@@ -156,7 +158,7 @@ fn button(ui: &mut Ui, command: StepCommand, workbench: &Workbench, width: f32, 
 }
 
 fn tip(ctx: &Context, command: StepCommand, name: &str) -> String {
-    let key = command.key().map_or_else(String::new, |key| format!(" ({})", ctx.format_shortcut(&key)));
+    let key = command.key().map_or_else(String::new, |key| format!(" ({})", key_name(ctx, key)));
     format!("{name}{key}\n{}", say(ctx, &format!("{}-about", command.word())))
 }
 
@@ -196,7 +198,9 @@ fn kinds(ui: &mut Ui, workbench: &Workbench) -> Option<Kind> {
     let story = workbench.recording.as_ref()?.story();
     let mut chosen = None;
     let menu = ui.menu_button(say(ui.ctx(), "step-kind"), |ui| {
-        ScrollArea::vertical().max_height(400.0).show(ui, |ui| {
+        ui.style_mut().wrap_mode = Some(egui::TextWrapMode::Extend);
+        let height = menu::height(ui.ctx());
+        ScrollArea::vertical().max_height(height).min_scrolled_height(height).show(ui, |ui| {
             for &kind in Kind::ALL {
                 let count = story.shown().steps_of(kind).len();
                 if count > 0 && ui.button(format!("{} · {count}", kind.name())).clicked() {
@@ -214,7 +218,9 @@ fn kinds(ui: &mut Ui, workbench: &Workbench) -> Option<Kind> {
 
 fn speeds(ui: &mut Ui, workbench: &Workbench) -> Option<f64> {
     let current = workbench.stepping.player.speed();
-    let name = |ctx: &Context, speed: f64| say_with(ctx, "step-speed", &[("speed", (&speed.to_string()).into())]);
+    let name = |ctx: &Context, speed: f64| {
+        say_with(ctx, "step-speed", &[("speed", (&speed.to_string().replace('.', &say(ctx, "decimal-sign"))).into())])
+    };
     let mut chosen = None;
     let menu = ui.menu_button(name(ui.ctx(), current), |ui| {
         for speed in SPEEDS {

@@ -10,7 +10,7 @@ mod picked;
 pub use browser::*;
 #[cfg(not(target_arch = "wasm32"))]
 pub use desktop::*;
-pub use picked::{Picked, Unread};
+pub use picked::{NoDialogue, Picked, Unread};
 
 use std::time::Duration;
 use web_time::{SystemTime, UNIX_EPOCH};

@@ -2,6 +2,10 @@
 
 use std::path::Path;
 
+/// For those who name the file that cannot be read.
+const NO_DIALOGUE: &str =
+    "no file dialogue can be shown: it needs xdg-desktop-portal with a backend for the desktop, or zenity";
+
 /// A file that was chosen in a dialogue or dropped on the window.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Picked {
@@ -18,7 +22,13 @@ pub enum Unread {
     NoText,
     /// The system says why.
     System(String),
+    /// None could be chosen: the system shows no dialogue.
+    NoDialogue,
 }
+
+/// The system shows no dialogue in which a file could be chosen.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct NoDialogue;
 
 impl Picked {
     /// A file with what was read of it.
@@ -37,6 +47,7 @@ impl Picked {
             Some(Ok(text)) => Ok(text.clone()),
             Some(Err(Unread::NoText)) => Err("it is no text".to_owned()),
             Some(Err(Unread::System(error))) => Err(error.clone()),
+            Some(Err(Unread::NoDialogue)) => Err(NO_DIALOGUE.to_owned()),
         }
     }
 

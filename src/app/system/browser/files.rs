@@ -1,15 +1,18 @@
 //! Files in a browser: chosen by a person one by one, and written as downloads.
 
 use super::host;
-use crate::app::system::Picked;
+use crate::app::system::{NoDialogue, Picked};
 use egui::{Context, DroppedFileHandle};
 use std::io;
 use std::path::{Path, PathBuf};
 
 /// A browser asks by itself, or has a folder for what is downloaded: the name is all that can be said.
-#[expect(clippy::unnecessary_wraps, reason = "on a desktop the dialogue can be closed")]
-pub fn ask_where(_title: Option<String>, name: &str, _ending: &str) -> Option<PathBuf> {
-    Some(PathBuf::from(name))
+///
+/// # Errors
+/// None.
+#[expect(clippy::unnecessary_wraps, reason = "on a desktop the dialogue can be closed, or there may be none")]
+pub fn ask_where(_title: Option<String>, name: &str, _ending: &str) -> Result<Option<PathBuf>, NoDialogue> {
+    Ok(Some(PathBuf::from(name)))
 }
 
 /// Lets a person choose a file; `given` is called with it. If none is chosen, nothing is called.

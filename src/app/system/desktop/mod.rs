@@ -7,7 +7,7 @@ mod window;
 pub use journals::{Journals, Left};
 pub use start::{run, run_lesson};
 
-use super::Picked;
+use super::{NoDialogue, Picked, Unread};
 use crate::app::frame::background::Background;
 use crate::app::frame::task::Task;
 use crate::scene::Scene;
@@ -18,7 +18,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, RecvTimeoutError};
 use std::thread;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 /// Begins to work on a thread of this name; returns whether one could be started.
 pub fn begin(name: &str, work: impl FnOnce() + Send + 'static) -> bool {
@@ -50,16 +50,32 @@ pub fn receive_within<T>(receiver: &Receiver<T>, patience: Duration) -> Result<T
 }
 
 /// Asks where a file is to be written, and waits for the answer; none if the dialogue was closed.
-pub fn ask_where(title: Option<String>, name: &str, ending: &str) -> Option<PathBuf> {
+///
+/// # Errors
+/// If the system has no dialogue to show.
+pub fn ask_where(title: Option<String>, name: &str, ending: &str) -> Result<Option<PathBuf>, NoDialogue> {
     let dialogue = rfd::FileDialog::new().set_file_name(name).add_filter(ending.to_uppercase(), &[ending]);
-    match title {
+    let dialogue = match title {
         Some(title) => dialogue.set_title(title),
         None => dialogue,
-    }
-    .save_file()
+    };
+    answered(|| dialogue.save_file())
 }
 
-/// Lets a person choose a file; `given` is called with it, or with none if the dialogue was closed. Returns whether there is a dialogue.
+/// The answer of a dialogue, or that there was none: where a desktop lacks what shows dialogues, the library says only that
+/// nothing was chosen, but it says so sooner than a person could.
+fn answered(ask: impl FnOnce() -> Option<PathBuf>) -> Result<Option<PathBuf>, NoDialogue> {
+    const SOONEST: Duration = Duration::from_millis(300);
+    let begun = Instant::now();
+    let answer = ask();
+    if answer.is_none() && begun.elapsed() < SOONEST && cfg!(not(any(windows, target_os = "macos"))) {
+        return Err(NoDialogue);
+    }
+    Ok(answer)
+}
+
+/// Lets a person choose a file; `given` is called with it, with none if the dialogue was closed, or with why there was none.
+/// Returns whether there will be an answer.
 pub fn ask_which(
     title: String,
     kind: String,
@@ -68,8 +84,10 @@ pub fn ask_which(
 ) -> bool {
     begin("file dialogue", move || {
         let dialogue = rfd::FileDialog::new().set_title(title).add_filter(kind, endings);
-        let path = dialogue.pick_file();
-        given(path.map(|path| Picked { name: path.display().to_string(), text: None }));
+        given(match answered(|| dialogue.pick_file()) {
+            Ok(path) => path.map(|path| Picked { name: path.display().to_string(), text: None }),
+            Err(NoDialogue) => Some(Picked { name: String::new(), text: Some(Err(Unread::NoDialogue)) }),
+        });
     })
 }
 
