@@ -1,12 +1,14 @@
 //! What the interface says comes from the catalogue, and all that is in the catalogue is said.
 #![cfg(feature = "workbench")]
 
-use rayscope::words::{Language, known};
+use rayscope::query::PRESETS;
+use rayscope::scene::embedded_scenes;
+use rayscope::words::{Language, known, say};
 use std::fs;
 use std::path::Path;
 
-/// Names that the program puts together: the kinds of lights, and the channels of colours.
-const MADE: [&str; 4] = ["edit-light-", "edit-red", "edit-green", "edit-blue"];
+/// Names that the program puts together: the kinds of lights, the channels of colours, questions with names, folders of scenes.
+const MADE: [&str; 6] = ["edit-light-", "edit-red", "edit-green", "edit-blue", "asked-", "scenes-"];
 
 fn sources(folder: &Path, texts: &mut Vec<(String, String)>) {
     let mut paths: Vec<_> = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
@@ -40,6 +42,18 @@ fn every_message_is_said_somewhere() {
         })
         .collect();
     assert!(unsaid.is_empty(), "{unsaid:?}");
+}
+
+#[test]
+fn questions_with_names_and_folders_of_scenes_have_words() {
+    for preset in PRESETS {
+        assert_eq!(say(Language::English, &preset.word()), preset.title);
+    }
+    let words = known(Language::English);
+    for scene in embedded_scenes() {
+        let folder = scene.name.split('/').next().expect("a name has a first part");
+        assert!(words.iter().any(|word| *word == format!("scenes-{folder}")), "{folder}");
+    }
 }
 
 #[test]

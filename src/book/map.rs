@@ -36,7 +36,7 @@ pub fn svg(course: &Course) -> String {
 
 /// The left upper corners of the boxes.
 fn places(course: &Course) -> BTreeMap<&str, [f64; 2]> {
-    let columns = course.columns();
+    let columns = course.levels();
     let mut used: BTreeMap<usize, usize> = BTreeMap::new();
     let mut places = BTreeMap::new();
     for lesson in &course.lessons {

@@ -86,17 +86,17 @@ impl Course {
         self.lesson(id).is_some() || self.beside.contains(id)
     }
 
-    /// How many lessons lie between each lesson and the first that it builds on: the column of the course's map. What needs
-    /// nothing is in column 0.
+    /// How many lessons lie between each lesson and the first that it builds on: its level on the course's map. What needs
+    /// nothing is on level 0.
     #[must_use]
-    pub fn columns(&self) -> BTreeMap<&str, usize> {
-        let mut columns: BTreeMap<&str, usize> = BTreeMap::new();
+    pub fn levels(&self) -> BTreeMap<&str, usize> {
+        let mut levels: BTreeMap<&str, usize> = BTreeMap::new();
         // Needs lead to earlier lessons, so that one pass is enough.
         for lesson in &self.lessons {
-            let needed = lesson.header.needs.iter().filter_map(|id| columns.get(id.value.as_str())).max();
-            columns.insert(&lesson.id, needed.map_or(0, |column| column + 1));
+            let needed = lesson.header.needs.iter().filter_map(|id| levels.get(id.value.as_str())).max();
+            levels.insert(&lesson.id, needed.map_or(0, |level| level + 1));
         }
-        columns
+        levels
     }
 
     /// Needs that are no lesson, or none that comes before.

@@ -11,6 +11,14 @@ pub struct Preset {
     pub query: &'static str,
 }
 
+impl Preset {
+    /// The message of the catalogue that says the title in the language that is set.
+    #[must_use]
+    pub fn word(&self) -> String {
+        format!("asked-{}", self.key)
+    }
+}
+
 /// The questions that are offered by name.
 pub const PRESETS: [Preset; 12] = [
     Preset { key: "tir", title: "A total internal reflection", query: "tir" },

@@ -1,6 +1,6 @@
 //! Colours of the scene in a drawing.
 
-use super::palette::Colour;
+use super::palette::{Colour, Palette};
 use crate::math::portable;
 use crate::record::Triple;
 use crate::trace::srgb;
@@ -29,6 +29,14 @@ pub(super) fn seen_on(ground: Colour, colour: Colour) -> Colour {
     }
     let paler = (0..=20).map(|step| colour.mixed(Colour::hex(0xff_ff_ff), f64::from(step) / 20.0));
     paler.clone().find(|paler| contrast(*paler, ground) >= CLEAR).unwrap_or(colour)
+}
+
+/// A colour for letters: as much nearer to the ink as it needs to be read on the ground.
+pub(super) fn legible(palette: &Palette, colour: Colour) -> Colour {
+    /// What WCAG 2 asks of text (success criterion 1.4.3).
+    const CLEAR: f64 = 4.5;
+    let nearer = (0..=20).map(|step| colour.mixed(palette.ink, f64::from(step) / 20.0));
+    nearer.clone().find(|nearer| contrast(*nearer, palette.ground) >= CLEAR).unwrap_or(palette.ink)
 }
 
 /// Whether what is read on it has to be light.

@@ -105,3 +105,4 @@ edit-lines-same = { $count ->
 }
 edit-changed-on-disk = Ein anderes Programm hat die Datei geändert, seit sie geöffnet wurde; sie wurde nicht überschrieben. Unter anderem Namen sichern oder die Datei neu öffnen.
 edit-not-saved = Die Datei lässt sich nicht schreiben: { $why }.
+property-inherited = wie das Ganze

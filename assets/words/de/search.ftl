@@ -48,3 +48,17 @@ map-invitation = Auswählen, was auf die Karte soll. Die Karte liegt über dem B
 map-opacity = Über dem Bild
 map-running = kartiert: { $percent }
 map-name = Karte: { $map }
+
+# Fragen mit Namen
+asked-tir = Eine Totalreflexion
+asked-deep = Ein Strahl ab Tiefe 3
+asked-early-out = Ein früher Abbruch im booleschen Baum
+asked-rejected = Ein verworfener Treffer
+asked-undecidable = Eine Entscheidung, die die eigenen Zahlen des Strahls nicht erlauben
+asked-fallback = Eine Entscheidung, die feinere Arithmetik brauchte
+asked-shadowed = Ein verdecktes Licht
+asked-limit = Ein Strahl, den eine Grenze aufhält
+asked-extent = Eine Hülle, die die Arbeit dahinter spart
+asked-spawned = Ein gespiegelter oder gebrochener Strahl
+asked-background = Ein Strahl, der nichts trifft
+asked-grazing = Licht, das eine Fläche streift

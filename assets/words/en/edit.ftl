@@ -105,3 +105,4 @@ edit-lines-same = { $count ->
 }
 edit-changed-on-disk = Another program has changed the file since it was opened, so it was not overwritten. Save under another name, or open the file again.
 edit-not-saved = The file cannot be written: { $why }.
+property-inherited = as of the whole

@@ -48,3 +48,17 @@ map-invitation = Choose what is to be mapped. The map lies over the picture, and
 map-opacity = Over the picture
 map-running = mapping: { $percent }
 map-name = Map: { $map }
+
+# Questions with names
+asked-tir = A total internal reflection
+asked-deep = A ray at depth 3 or more
+asked-early-out = An early out in a Boolean tree
+asked-rejected = A hit that is rejected
+asked-undecidable = A decision that the ray's own numbers do not allow
+asked-fallback = A decision that needed finer arithmetic
+asked-shadowed = A light that is hidden
+asked-limit = A ray that a limit stops
+asked-extent = An extent that spares the work behind it
+asked-spawned = A reflected or refracted ray
+asked-background = A ray that hits nothing
+asked-grazing = Light that grazes a surface

@@ -7,12 +7,13 @@ use super::rows;
 use super::stories::{Stories, StoriesJob};
 use crate::app::frame::empty::empty;
 use crate::app::frame::file_dialog::FileDialog;
+use crate::app::frame::ticks;
 use crate::app::frame::words::{say, say_with};
 use crate::app::story::recording::Recording;
 use crate::app::workbench::{OpenScene, Workbench};
 use crate::compare::Departure;
 use crate::record::EventId;
-use egui::{ComboBox, Context, RichText, TextEdit, Ui};
+use egui::{ComboBox, Context, RichText, ScrollArea, TextEdit, Ui};
 use std::sync::Arc;
 
 /// What is shown of a comparison.
@@ -26,6 +27,12 @@ enum Page {
     /// Another ray tracer's story.
     Foreign,
 }
+
+/// Names of pins are given no more width than this, in points.
+const WIDEST_NAME: f32 = 240.0;
+
+/// The rows are given no less height than this, in points: the panel scrolls instead.
+const LOWEST_ROWS: f32 = 132.0;
 
 /// What the panel remembers between frames.
 #[derive(Default)]
@@ -144,16 +151,24 @@ impl ComparePane {
                     empty(ui, &say(ui.ctx(), "compare-nothing"));
                     return None;
                 };
-                if self.page == Page::Stories {
-                    return self.stories_ui(ui, &here, &pin);
-                }
-                // While the pinned story is looked at, its picture is still compared with the one that was.
-                let shown = self.stories.shown().filter(|shown| shown.right.is(&pin.tree) && pin.is(&here.tree));
-                let left = shown.map_or(here, |shown| shown.left.clone());
-                self.pictures.ui(ui, &left, &pin);
-                None
+                let room = ui.available_height();
+                let scroll = ScrollArea::vertical().id_salt("compare").auto_shrink(false);
+                scroll.show(ui, |ui| self.pages_ui(ui, here, &pin, room)).inner
             }
         }
+    }
+
+    /// The pinned story or its picture beside the one that is shown, in a panel of this height. It scrolls where that is too low
+    /// for it.
+    fn pages_ui(&mut self, ui: &mut Ui, here: Pin, pin: &Pin, room: f32) -> Option<Wish> {
+        if self.page == Page::Stories {
+            return self.stories_ui(ui, &here, pin, room);
+        }
+        // While the pinned story is looked at, its picture is still compared with the one that was.
+        let shown = self.stories.shown().filter(|shown| shown.right.is(&pin.tree) && pin.is(&here.tree));
+        let left = shown.map_or(here, |shown| shown.left.clone());
+        self.pictures.ui(ui, &left, pin, room);
+        None
     }
 
     fn head(&mut self, ui: &mut Ui, open: &OpenScene, recording: Option<&Recording>) {
@@ -163,16 +178,16 @@ impl ComparePane {
             {
                 self.pin(recording, open);
             }
-            if !self.pins.is_empty() {
-                self.choice(ui);
-                if ui.button(say(ui.ctx(), "compare-unpin")).clicked() {
-                    self.unpin();
-                }
+            if !self.pins.is_empty() && ui.button(say(ui.ctx(), "compare-unpin")).clicked() {
+                self.unpin();
             }
             if ui.button(say(ui.ctx(), "compare-open")).on_hover_text(say(ui.ctx(), "compare-open-about")).clicked() {
                 self.ask_for_foreign(&ui.ctx().clone());
             }
         });
+        if !self.pins.is_empty() {
+            self.choice(ui);
+        }
         ui.horizontal_wrapped(|ui| {
             for (page, word) in [
                 (Page::Stories, "compare-page-stories"),
@@ -187,29 +202,35 @@ impl ComparePane {
         });
     }
 
+    /// Which pin, and its name: each in a line of its own, beside its label.
     fn choice(&mut self, ui: &mut Ui) {
         let before = self.chosen;
-        let label = say(ui.ctx(), "compare-with");
-        let current = self.pins.get(self.chosen).map_or_else(String::new, |pin| pin.name.clone());
-        let label = ui.label(label);
-        let combo = ComboBox::from_id_salt("pins").selected_text(current).width(150.0);
-        let shown = combo.show_ui(ui, |ui| {
-            for (place, pin) in self.pins.iter().enumerate() {
-                ui.selectable_value(&mut self.chosen, place, &pin.name);
-            }
+        ui.horizontal(|ui| {
+            let label = ui.label(say(ui.ctx(), "compare-with"));
+            let current = self.pins.get(self.chosen).map_or_else(String::new, |pin| pin.name.clone());
+            let width = WIDEST_NAME.min(ui.available_width());
+            let combo = ComboBox::from_id_salt("pins").selected_text(current).width(width).truncate();
+            let shown = combo.show_ui(ui, |ui| {
+                for (place, pin) in self.pins.iter().enumerate() {
+                    ui.selectable_value(&mut self.chosen, place, &pin.name);
+                }
+            });
+            shown.response.labelled_by(label.id);
         });
-        shown.response.labelled_by(label.id);
         if before != self.chosen {
             self.row = None;
         }
-        let name = say(ui.ctx(), "compare-name");
         if let Some(pin) = self.pins.get_mut(self.chosen) {
-            let label = ui.label(name);
-            ui.add(TextEdit::singleline(&mut pin.name).desired_width(170.0)).labelled_by(label.id);
+            ui.horizontal(|ui| {
+                let label = ui.label(say(ui.ctx(), "compare-name"));
+                ui.add(TextEdit::singleline(&mut pin.name).desired_width(WIDEST_NAME.min(ui.available_width() - 8.0)))
+                    .labelled_by(label.id);
+            });
         }
     }
 
-    fn stories_ui(&mut self, ui: &mut Ui, here: &Pin, pin: &Pin) -> Option<Wish> {
+    fn stories_ui(&mut self, ui: &mut Ui, here: &Pin, pin: &Pin, room: f32) -> Option<Wish> {
+        let top = ui.cursor().top();
         let stories = self.stories.update(ui.ctx(), here, pin).map(Arc::clone);
         let Some(stories) = stories else {
             let word = if self.stories.is_running() { "compare-working" } else { "compare-nothing" };
@@ -231,7 +252,7 @@ impl ComparePane {
             .filter(|parting| stories.first.as_ref().is_none_or(|first| first.row != parting.row));
         wish = wish.or(self.departure(ui, &stories, "compare-parting", parting));
         let words = say(ui.ctx(), "compare-all-rows");
-        ui.checkbox(&mut self.shows_all, words);
+        ticks::checkbox(ui, &mut self.shows_all, words);
         let all: Vec<usize>;
         let list = if self.shows_all {
             all = (0..stories.pairs.pairs.len()).collect();
@@ -240,7 +261,8 @@ impl ComparePane {
             &stories.different
         };
         let scroll = self.scroll.take();
-        let clicked = rows::ui(ui, &stories, list, self.row, scroll);
+        let height = (room - (ui.cursor().top() - top) - 1.0).max(LOWEST_ROWS);
+        let clicked = rows::ui(ui, &stories, list, self.row, scroll, height);
         clicked.and_then(|row| self.choose(&stories, row)).or(wish)
     }
 

@@ -4,6 +4,7 @@ use super::pin::Pin;
 use crate::app::frame::background::Background;
 use crate::app::frame::task::{self, Task};
 use crate::app::frame::theme::Palette;
+use crate::app::frame::ticks;
 use crate::app::frame::words::{say, say_with};
 use crate::app::picture::thumbnail::texture;
 use crate::compare::{PictureDifference, picture_difference};
@@ -66,8 +67,9 @@ impl Default for Pictures {
 }
 
 impl Pictures {
-    /// Shows the pictures of two stories' scenes.
-    pub fn ui(&mut self, ui: &mut Ui, left: &Pin, right: &Pin) {
+    /// Shows the pictures of two stories' scenes in a panel of this height.
+    pub fn ui(&mut self, ui: &mut Ui, left: &Pin, right: &Pin, room: f32) {
+        let top = ui.cursor().top();
         self.update(ui.ctx(), [&left.scene, &right.scene]);
         let Some(shown) = &self.shown else {
             ui.label(say(ui.ctx(), "compare-rendering"));
@@ -82,14 +84,15 @@ impl Pictures {
         let arguments = [("largest", (&largest).into()), ("rmse", (&rmse).into()), ("pixels", pixels.into())];
         ui.label(say_with(ui.ctx(), "compare-figures", &arguments));
         let words = say(ui.ctx(), "compare-amplified");
-        ui.checkbox(&mut self.is_amplified, words);
+        ticks::checkbox(ui, &mut self.is_amplified, words);
         let amplified = shown.amplified.clone().filter(|_| self.is_amplified);
+        let height = room - (ui.cursor().top() - top) - NAMES;
         match amplified {
             Some(texture) => {
-                let rect = frame(ui, &texture);
+                let rect = frame(ui, &texture, height);
                 image(ui, &texture, rect, [0.0, 1.0]);
             }
-            None => self.slider(ui),
+            None => self.slider(ui, height),
         }
     }
 
@@ -107,9 +110,9 @@ impl Pictures {
     }
 
     /// Both pictures: ours on the left of the slider, the pinned one on its right.
-    fn slider(&mut self, ui: &mut Ui) {
+    fn slider(&mut self, ui: &mut Ui, height: f32) {
         let Some(shown) = &self.shown else { return };
-        let rect = frame(ui, &shown.left);
+        let rect = frame(ui, &shown.left, height);
         image(ui, &shown.left, rect, [0.0, self.share]);
         image(ui, &shown.right, rect, [self.share, 1.0]);
         let name = say(ui.ctx(), "compare-slider");
@@ -166,6 +169,12 @@ impl Running {
     }
 }
 
+/// Room for the names below a picture, in points.
+const NAMES: f32 = 24.0;
+
+/// No picture is given less height than this, in points: the panel scrolls instead.
+const LOWEST: f32 = 180.0;
+
 /// The scene with a picture of few columns.
 fn smaller(scene: &Scene) -> Scene {
     let Image { width, height } = scene.image;
@@ -175,10 +184,10 @@ fn smaller(scene: &Scene) -> Scene {
     Scene { image, ..scene.clone() }
 }
 
-/// Room for a picture, as large as the panel allows.
-fn frame(ui: &mut Ui, texture: &TextureHandle) -> Rect {
+/// Room for a picture, as large as this height and the panel's width allow.
+fn frame(ui: &mut Ui, texture: &TextureHandle, height: f32) -> Rect {
     let size = texture.size_vec2();
-    let room = vec2(ui.available_width() - 4.0, (ui.available_height() - 24.0).max(60.0));
+    let room = vec2(ui.available_width() - 4.0, height.max(LOWEST));
     let scale = (room.x / size.x).min(room.y / size.y).max(0.05);
     let (rect, response) = ui.allocate_exact_size(size * scale, Sense::hover());
     let name = say(ui.ctx(), "compare-picture");

@@ -16,18 +16,20 @@ const MOST_INDENTS: u16 = 14;
 /// Width of the column of marks.
 const MARK: f32 = 22.0;
 
-/// Shows the rows of this list; returns the one that was clicked. `scroll` is the row to be brought into sight.
+/// Shows the rows of this list in so much height; returns the one that was clicked. `scroll` is the row to be brought into sight.
 pub fn ui(
     ui: &mut Ui,
     stories: &Stories,
     list: &[usize],
     chosen: Option<usize>,
     scroll: Option<usize>,
+    height: f32,
 ) -> Option<usize> {
     ui.spacing_mut().item_spacing.y = 0.0;
-    let mut area = ScrollArea::vertical().auto_shrink(false).id_salt("pairs");
+    let mut area =
+        ScrollArea::vertical().auto_shrink(false).id_salt("pairs").max_height(height).min_scrolled_height(height);
     if let Some(place) = scroll.and_then(|row| list.binary_search(&row).ok()) {
-        area = area.vertical_scroll_offset((place as f32 * ROW - ui.available_height() / 3.0).max(0.0));
+        area = area.vertical_scroll_offset((place as f32 * ROW - height / 3.0).max(0.0));
     }
     let output = area.show_rows(ui, ROW, list.len(), |ui, range| {
         let mut clicked = None;

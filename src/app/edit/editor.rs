@@ -4,20 +4,21 @@ use crate::app::edit::editing::Editing;
 use crate::app::edit::finder::Finder;
 use crate::app::edit::highlight::{Marks, highlighted};
 use crate::app::edit::popup::Popup;
+use crate::app::frame::code::with_code;
 use crate::app::frame::theme::Palette;
 use crate::app::frame::words::{say, say_with};
 use crate::document::{Cause, Completion, Guide, Item, Selection, Syntax, bracket_pair};
 use egui::scroll_area::ScrollAreaOutput;
-use egui::text::{CCursor, CCursorRange, CharIndex, LayoutJob};
+use egui::text::{CCursor, CCursorRange, CharIndex, LayoutJob, TextWrapping};
 use egui::text_edit::{TextEditOutput, TextEditState};
 use egui::{
-    Align2, Context, Event, EventFilter, FontId, Galley, Id, Rect, RichText, ScrollArea, TextBuffer, TextEdit,
+    Align2, Color32, Context, Event, EventFilter, FontId, Galley, Id, Rect, RichText, ScrollArea, TextBuffer, TextEdit,
     TextStyle, Ui, UiBuilder, Vec2, pos2, vec2,
 };
 use std::sync::Arc;
 
 /// Height of the line below the text, in points.
-const FOOT: f32 = 56.0;
+const FOOT: f32 = 70.0;
 /// Width of a digit of the line numbers, as a part of its height.
 const DIGIT: f32 = 0.62;
 
@@ -256,14 +257,22 @@ impl Editing {
             let arguments =
                 [("line", (&line).into()), ("column", (&column).into()), ("message", (&flaw.message).into())];
             let message = say_with(ui.ctx(), "edit-error-at", &arguments);
-            ui.add(egui::Label::new(RichText::new(&message).color(palette.problem)).truncate()).on_hover_text(&message);
+            in_two_lines(ui, &message, TextStyle::Body, palette.problem);
         } else {
             let place = self.analysis.syntax.place_at(cursor);
             let about = Guide::scene().at(&self.analysis.whole, &place).description(Guide::scene()).to_owned();
             ui.add(egui::Label::new(RichText::new(place.to_string()).monospace().small()).truncate());
-            ui.add(egui::Label::new(RichText::new(about).small().color(palette.weak)).truncate());
+            in_two_lines(ui, &about, TextStyle::Small, palette.weak);
         }
     }
+}
+
+/// A sentence with as much of it as two lines hold; all of it under the pointer. Names in it stand out.
+fn in_two_lines(ui: &mut Ui, text: &str, style: TextStyle, colour: Color32) {
+    let mut job = with_code(text, style.resolve(ui.style()).size, colour);
+    job.wrap = TextWrapping { max_width: ui.available_width(), max_rows: 2, ..TextWrapping::default() };
+    let galley = ui.painter().layout_job(job);
+    ui.add(egui::Label::new(galley)).on_hover_text(text);
 }
 
 fn show_text(ui: &mut Ui, text: &mut String, job: &LayoutJob, room: Vec2, filter: EventFilter) -> TextEditOutput {

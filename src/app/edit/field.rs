@@ -1,5 +1,6 @@
 //! The widget that changes a property.
 
+use crate::app::frame::ticks;
 use crate::app::frame::words::say;
 use crate::document::{Control, Property, Range, decimals_for, rounded};
 use egui::{Color32, ComboBox, DragValue, Response, RichText, Slider, TextEdit, Ui, color_picker};
@@ -38,7 +39,7 @@ pub fn ui(ui: &mut Ui, property: &Property, label: egui::Id) -> Change {
         }
         Control::Switch(on) => {
             let mut on = *on;
-            let response = ui.checkbox(&mut on, "").labelled_by(label);
+            let response = ticks::checkbox(ui, &mut on, "").labelled_by(label);
             if change.note(&response) {
                 change.value = Some(json!(on));
             }
@@ -147,7 +148,8 @@ fn choice(
     label: egui::Id,
     change: &mut Change,
 ) {
-    let combo = ComboBox::from_id_salt(property.place.to_string()).selected_text(word).width(140.0).height(360.0);
+    let shown = if word.is_empty() { RichText::new(say(ui.ctx(), "property-inherited")).weak() } else { word.into() };
+    let combo = ComboBox::from_id_salt(property.place.to_string()).selected_text(shown).width(140.0).height(360.0);
     let shown = combo.show_ui(ui, |ui| {
         for (name, about) in words {
             let line = ui.selectable_label(name == word, name);

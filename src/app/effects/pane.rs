@@ -3,6 +3,7 @@
 use crate::app::effects::job::LedgerJob;
 use crate::app::frame::code::with_code;
 use crate::app::frame::theme::{Palette, bold};
+use crate::app::frame::ticks;
 use crate::app::frame::words::{say, say_with};
 use crate::app::picture::thumbnail::{difference, texture, thumbnail};
 use crate::app::workbench::OpenScene;
@@ -11,8 +12,7 @@ use crate::record::Effect;
 use crate::scene::{Effects, Reason, Scene, reasons};
 use crate::trace::Picture;
 use egui::{
-    Align, Checkbox, Context, Grid, Label, Layout, RichText, ScrollArea, Sense, Stroke, StrokeKind, TextureHandle, Ui,
-    pos2, vec2,
+    Align, Context, Grid, Label, Layout, RichText, ScrollArea, Sense, Stroke, StrokeKind, TextureHandle, Ui, pos2, vec2,
 };
 use std::sync::Arc;
 
@@ -147,7 +147,7 @@ fn name(ui: &mut Ui, reason: &Reason, is_on: &mut bool) -> bool {
     let effect = reason.effect.name();
     ui.with_layout(Layout::top_down(Align::Min), |ui| {
         ui.set_width(230.0);
-        let moved = ui.add(Checkbox::new(is_on, RichText::new(effect).family(bold()))).changed();
+        let moved = ticks::checkbox(ui, is_on, RichText::new(effect).family(bold())).changed();
         ui.add(Label::new(with_code(&reason.why, 11.0, Palette::current(ui.ctx()).weak)).wrap());
         moved
     })

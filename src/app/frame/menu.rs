@@ -45,7 +45,7 @@ fn list(ui: &mut Ui, workbench: &Workbench, commands: &[Command]) -> Option<Comm
     ui.spacing_mut().item_spacing.y = 1.0;
     // Without the second, a menu would scroll as soon as it is higher than what areas are at first.
     let height = height(ui.ctx());
-    let columns = columns(ui, commands, height, ((screen.width() - BESIDE) / width) as usize);
+    let columns = columns(ui, commands, height, 2.0 * width + BETWEEN <= screen.width() - BESIDE);
     ui.set_width(width * columns.len() as f32 + BETWEEN * (columns.len() - 1) as f32);
     ScrollArea::vertical().max_height(height).min_scrolled_height(height).show(ui, |ui| {
         ui.horizontal_top(|ui| {
@@ -59,11 +59,11 @@ fn list(ui: &mut Ui, workbench: &Workbench, commands: &[Command]) -> Option<Comm
     chosen
 }
 
-/// The commands in one column, or in two where one would be too high and there is room for `most`: parted where a group begins,
+/// The commands in one column, or in two where one would be too high and there is room for them: parted where a group begins,
 /// so that the higher one is as low as can be.
-fn columns<'a>(ui: &Ui, commands: &'a [Command], height: f32, most: usize) -> Vec<&'a [Command]> {
+fn columns<'a>(ui: &Ui, commands: &'a [Command], height: f32, has_room: bool) -> Vec<&'a [Command]> {
     let line = ui.spacing().interact_size.y.max(ui.text_style_height(&TextStyle::Button)) + ui.spacing().item_spacing.y;
-    if most < 2 || commands.len() as f32 * line <= height {
+    if !has_room || commands.len() as f32 * line <= height {
         return vec![commands];
     }
     let starts = (1..commands.len()).filter(|&i| commands[i].group() != commands[i - 1].group());

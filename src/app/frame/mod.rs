@@ -10,5 +10,6 @@ pub mod problem;
 pub mod scene_menu;
 pub mod task;
 pub mod theme;
+pub mod ticks;
 pub mod top_bar;
 pub mod words;

@@ -72,7 +72,12 @@ impl SceneMenu {
             if i > 0 {
                 ui.add_space(6.0);
             }
-            ui.label(RichText::new(heading(&topic[0].topic)).size(11.5).color(palette.weak).strong());
+            ui.label(
+                RichText::new(say(ui.ctx(), &format!("scenes-{}", topic[0].topic)))
+                    .size(11.5)
+                    .color(palette.weak)
+                    .strong(),
+            );
             for entry in topic {
                 let line = ui.selectable_label(entry.name == current, &entry.title).on_hover_text(&entry.name);
                 if line.clicked() {
@@ -93,16 +98,6 @@ fn shortened(name: &str) -> String {
     }
     let end: String = name.chars().skip(letters + 1 - MOST_LETTERS).collect();
     format!("…{end}")
-}
-
-/// A folder's name as a heading: `csg` is an abbreviation, the others are words.
-fn heading(topic: &str) -> String {
-    if topic == "csg" { "CSG".to_owned() } else { capitalised(&topic.replace('_', " ")) }
-}
-
-fn capitalised(words: &str) -> String {
-    let mut letters = words.chars();
-    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }
 
 #[cfg(test)]

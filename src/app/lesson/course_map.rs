@@ -1,4 +1,4 @@
-//! The course as a map: what a lesson needs stands to the left of it.
+//! The course as a map: what a lesson needs stands above it.
 
 use super::course_list::{Stand, stand, tools};
 use super::pane::{LessonPane, Wish};
@@ -7,14 +7,17 @@ use crate::app::frame::theme::{PADDING, Palette};
 use crate::app::frame::words::say;
 use crate::lesson::{Course, Lesson};
 use egui::{
-    Color32, FontId, Frame, Margin, Pos2, Rect, Role, ScrollArea, Sense, Stroke, StrokeKind, Ui, Vec2, WidgetInfo, vec2,
+    Color32, FontId, Frame, Margin, Rect, Role, ScrollArea, Sense, Stroke, StrokeKind, Ui, Vec2, WidgetInfo, pos2, vec2,
 };
 use std::collections::BTreeMap;
 
-/// The size of a lesson on the map, in points.
-const BOX: Vec2 = Vec2::new(138.0, 40.0);
-/// From one column and one row to the next, in points.
-const PITCH: Vec2 = Vec2::new(170.0, 50.0);
+/// A lesson is at least so wide, and so high, in points.
+const NARROWEST: f32 = 176.0;
+const HEIGHT: f32 = 44.0;
+/// Between lessons beside each other, between lines of a level, and between levels, in points.
+const ASIDE: f32 = 14.0;
+const BELOW: f32 = 10.0;
+const LEVEL: f32 = 26.0;
 
 /// Shows the map; returns the lesson that was chosen.
 pub fn ui(ui: &mut Ui, pane: &mut LessonPane) -> Option<Wish> {
@@ -24,13 +27,13 @@ pub fn ui(ui: &mut Ui, pane: &mut LessonPane) -> Option<Wish> {
     };
     let course = &lessons.course;
     let mut wish = None;
-    ScrollArea::both().id_salt("map").auto_shrink(false).show(ui, |ui| {
+    ScrollArea::vertical().id_salt("map").auto_shrink(false).show(ui, |ui| {
         Frame::new().inner_margin(Margin::same(PADDING)).show(ui, |ui| {
             tools(ui, pane, course);
-            let places = places(course);
-            let size = places.values().fold(Vec2::ZERO, |size, place| size.max(*place + BOX)) + Vec2::splat(8.0);
-            let (whole, _) = ui.allocate_exact_size(size, Sense::hover());
-            let rect_of = |id: &str| places.get(id).map(|place| Rect::from_min_size(whole.min + *place, BOX));
+            let places = places(course, ui.available_width());
+            let size = places.values().fold(Vec2::ZERO, |size, place| size.max(place.max.to_vec2()));
+            let (whole, _) = ui.allocate_exact_size(size + vec2(0.0, 8.0), Sense::hover());
+            let rect_of = |id: &str| places.get(id).map(|place| place.translate(whole.min.to_vec2()));
             let hovered = course
                 .lessons
                 .iter()
@@ -49,16 +52,22 @@ pub fn ui(ui: &mut Ui, pane: &mut LessonPane) -> Option<Wish> {
     wish
 }
 
-/// Where each lesson lies: in its column, below those that come before it.
-fn places(course: &Course) -> BTreeMap<&str, Vec2> {
-    let columns = course.columns();
-    let mut rows: BTreeMap<usize, usize> = BTreeMap::new();
-    let mut places = BTreeMap::new();
-    for lesson in &course.lessons {
-        let column = columns.get(lesson.id.as_str()).copied().unwrap_or_default();
-        let row = rows.entry(column).or_default();
-        places.insert(lesson.id.as_str(), vec2(column as f32 * PITCH.x, *row as f32 * PITCH.y));
-        *row += 1;
+/// Where each lesson lies: on its level, below those that come before it, in as many lines as the width asks for.
+fn places(course: &Course, width: f32) -> BTreeMap<&str, Rect> {
+    let levels = course.levels();
+    let deepest = levels.values().copied().max().unwrap_or_default();
+    let most = (1..=8).take_while(|&count| count as f32 * (NARROWEST + ASIDE) <= width + ASIDE).last().unwrap_or(1);
+    let size = vec2((width + ASIDE) / most as f32 - ASIDE, HEIGHT);
+    let (mut places, mut top) = (BTreeMap::new(), 0.0);
+    for level in 0..=deepest {
+        let lessons = course.lessons.iter().filter(|lesson| levels.get(lesson.id.as_str()) == Some(&level));
+        let mut bottom = top;
+        for (number, lesson) in lessons.enumerate() {
+            let at = pos2((number % most) as f32 * (size.x + ASIDE), top + (number / most) as f32 * (HEIGHT + BELOW));
+            places.insert(lesson.id.as_str(), Rect::from_min_size(at, size));
+            bottom = at.y + HEIGHT;
+        }
+        top = bottom + LEVEL;
     }
     places
 }
@@ -69,9 +78,10 @@ fn lines(ui: &Ui, lesson: &Lesson, hovered: Option<&Lesson>, rect_of: &dyn Fn(&s
     for need in &lesson.header.needs {
         let (Some(from), Some(to)) = (rect_of(&need.value), rect_of(&lesson.id)) else { continue };
         let is_lit = hovered.is_some_and(|hovered| hovered.id == lesson.id || hovered.id == need.value);
-        let stroke = if is_lit { Stroke::new(2.0, palette.accent) } else { Stroke::new(1.0, palette.edge) };
-        let (start, end): (Pos2, Pos2) = (from.right_center(), to.left_center());
-        let bend = vec2((end.x - start.x).max(20.0) / 2.0, 0.0);
+        let stroke =
+            if is_lit { Stroke::new(2.0, palette.accent) } else { Stroke::new(1.0, palette.weak.gamma_multiply(0.7)) };
+        let (start, end) = (from.center_bottom(), to.center_top());
+        let bend = vec2(0.0, (end.y - start.y).max(20.0) / 2.0);
         let points = [start, start + bend, end - bend, end];
         ui.painter().add(egui::epaint::CubicBezierShape::from_points_stroke(
             points,

@@ -2,8 +2,9 @@
 
 use egui::{Color32, Painter, Rect, Stroke, StrokeKind, vec2};
 
-/// Light on dark, so that it is seen on any colour, and open in the middle, so that the pixel itself is seen.
-pub fn draw_crosshair(painter: &Painter, pixel: Rect, picture: Rect) {
+/// Light on dark, so that it is seen on any colour, and open in the middle, so that the pixel itself is seen. Over a picture that
+/// is hatched or coloured it stands on a ground of its own.
+pub fn draw_crosshair(painter: &Painter, pixel: Rect, picture: Rect, is_covered: bool) {
     let painter = painter.with_clip_rect(painter.clip_rect().intersect(picture.expand(12.0)));
     let frame = pixel.expand(2.0);
     let arms = [
@@ -12,6 +13,12 @@ pub fn draw_crosshair(painter: &Painter, pixel: Rect, picture: Rect) {
         (vec2(pixel.center().x, frame.top() - 14.0), vec2(pixel.center().x, frame.top() - 3.0)),
         (vec2(pixel.center().x, frame.bottom() + 3.0), vec2(pixel.center().x, frame.bottom() + 14.0)),
     ];
+    if is_covered {
+        let ground = Stroke::new(9.0, Color32::from_black_alpha(170));
+        for (from, to) in arms {
+            painter.line_segment([from.to_pos2(), to.to_pos2()], ground);
+        }
+    }
     for (width, ink) in [(3.5, Color32::from_black_alpha(200)), (1.5, Color32::WHITE)] {
         let stroke = Stroke::new(width, ink);
         for (from, to) in arms {

@@ -82,7 +82,7 @@ impl ImagePanel {
             self.hits.draw(&painter, view.scene, &place, recording);
             // A ray of its own goes through no pixel.
             if recording.loose_ray().is_none() {
-                draw_crosshair(&painter, place.pixel_rect(recording.pixel), place.rect);
+                draw_crosshair(&painter, place.pixel_rect(recording.pixel), place.rect, !view.layers.is_empty());
             }
         }
         if response.has_focus() {

@@ -21,6 +21,8 @@ pub struct Field {
     /// What the text was read as.
     read: Option<Result<Query, QueryError>>,
     wants_focus: bool,
+    /// Completions are offered for what is being typed: it is not yet to be judged.
+    is_completing: bool,
 }
 
 /// What was done in the field.
@@ -82,10 +84,16 @@ impl Field {
             .align(RectAlign::BOTTOM_START)
             .max_height(260.0);
         let columns = columns(ui);
-        let output = popup.show(ui, edit, |query| suggestions(query, vocabulary, columns));
+        let mut is_completing = false;
+        let output = popup.show(ui, edit, |query| {
+            let offered = suggestions(query, vocabulary, columns);
+            is_completing |= !offered.is_empty();
+            offered
+        });
         let response = output.text_edit.response.response;
         // What lay over the window in the frame before, as the palette did, still keeps the focus to itself.
         self.wants_focus &= !response.has_focus();
+        self.is_completing = is_completing && response.has_focus();
         ui.ctx().accesskit_node_builder(response.id, |node| node.set_label(name));
         if self.text != before {
             self.read();
@@ -95,9 +103,9 @@ impl Field {
         (is_entered || output.accepted.is_some()).then_some(Typed::Entered)
     }
 
-    /// What is wrong with the text, in a line; nothing while nothing is wrong.
+    /// What is wrong with the text, in a line; nothing while nothing is wrong, or while it is being completed.
     pub fn problem(&self, ui: &mut Ui) {
-        if let Some(Err(error)) = &self.read {
+        if let Some(Err(error)) = self.read.as_ref().filter(|_| !self.is_completing) {
             let colour = Palette::current(ui.ctx()).problem;
             ui.label(RichText::new(error.to_string()).small().color(colour));
         }

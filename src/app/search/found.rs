@@ -143,7 +143,7 @@ impl Asked {
     pub fn summary(&mut self, ui: &mut Ui) -> Option<Place> {
         let (count, all) = (self.results().len(), self.scene.image.width as usize * self.scene.image.height as usize);
         let mut place = None;
-        ui.horizontal(|ui| {
+        ui.horizontal_wrapped(|ui| {
             for (word, forward) in [("search-previous", false), ("search-next", true)] {
                 let button = ui.add_enabled(count > 0, Button::new(say(ui.ctx(), word)));
                 let about = say(ui.ctx(), &format!("{word}-about"));

@@ -12,7 +12,7 @@ pub fn ui(ui: &mut Ui) -> Option<String> {
         ui.add_space(6.0);
         heading(ui, "search-presets");
         for preset in PRESETS {
-            if line(ui, preset.query, preset.title) {
+            if line(ui, preset.query, &say(ui.ctx(), &preset.word())) {
                 chosen = Some(preset.query.to_owned());
             }
         }

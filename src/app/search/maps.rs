@@ -6,6 +6,7 @@ use crate::app::drawings::canvas::{Canvas, put};
 use crate::app::frame::background::Background;
 use crate::app::frame::task::{self, Task};
 use crate::app::frame::theme::drawing_theme;
+use crate::app::frame::ticks;
 use crate::app::frame::words::{say, say_with};
 use crate::query::{FIRST_SIDE, Quantity, Survey, survey};
 use crate::scene::Scene;
@@ -199,7 +200,7 @@ impl Maps {
         }
         ui.horizontal(|ui| {
             let label = ui.label(say(ui.ctx(), "map-opacity"));
-            ui.add(Slider::new(&mut self.opacity, 0.0..=1.0).show_value(false)).labelled_by(label.id);
+            ticks::slider(ui, Slider::new(&mut self.opacity, 0.0..=1.0).show_value(false)).labelled_by(label.id);
             if let Some(job) = &self.job {
                 let all = job.quantity.work_per_pixel() * scene.image.width as usize * scene.image.height as usize;
                 let percent = format!("{:.0} %", 100.0 * job.work.done() as f64 / all.max(1) as f64);

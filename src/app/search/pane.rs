@@ -176,7 +176,11 @@ impl SearchPane {
         let name = say(ui.ctx(), "search-presets");
         ui.menu_button(name, |ui| {
             for preset in PRESETS {
-                if ui.button(preset.title).on_hover_text(RichText::new(preset.query).monospace()).clicked() {
+                if ui
+                    .button(say(ui.ctx(), &preset.word()))
+                    .on_hover_text(RichText::new(preset.query).monospace())
+                    .clicked()
+                {
                     self.ask(preset.query);
                     ui.close();
                 }

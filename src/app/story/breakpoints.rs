@@ -1,8 +1,10 @@
 //! The list of breakpoints, and the search for the next pixel that stops at one.
 
 use crate::app::frame::theme::Palette;
+use crate::app::frame::ticks;
 use crate::app::frame::words::{say, say_with};
 use crate::app::workbench::Workbench;
+use crate::query::PRESETS;
 use crate::story::Breakpoint;
 use egui::{Align, Color32, Key, Label, Layout, RichText, TextEdit, TextStyle, TextWrapMode, Ui, vec2};
 
@@ -29,7 +31,8 @@ pub fn ui(ui: &mut Ui, workbench: &mut Workbench) {
 
 fn line(ui: &mut Ui, place: usize, breakpoint: &Breakpoint) -> Option<Change> {
     let question = breakpoint.query.to_string();
-    let name = breakpoint.title.map_or_else(|| question.clone(), str::to_owned);
+    let preset = PRESETS.iter().find(|preset| breakpoint.title == Some(preset.title));
+    let name = preset.map_or_else(|| question.clone(), |preset| say(ui.ctx(), &preset.word()));
     let mut change = None;
     let height = ui.spacing().interact_size.y;
     // From the right, so that the name has the room that the others leave.
@@ -45,7 +48,7 @@ fn line(ui: &mut Ui, place: usize, breakpoint: &Breakpoint) -> Option<Change> {
         ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
             ui.style_mut().wrap_mode = Some(TextWrapMode::Truncate);
             let mut enabled = breakpoint.enabled;
-            let tick = ui.checkbox(&mut enabled, &name).on_hover_text(format!("{name}\n{question}"));
+            let tick = ticks::checkbox(ui, &mut enabled, &name).on_hover_text(format!("{name}\n{question}"));
             if tick.changed() {
                 change = Some(Change::Switch(place, enabled));
             }

@@ -86,8 +86,12 @@ fn working(ui: &mut Ui, symbol: &str, formula: &str, numbers: &str, result: &str
 fn table(ui: &mut Ui, salt: usize, title: &str, headers: &[&str], rows: &[Vec<String>]) {
     let palette = Palette::current(ui.ctx());
     ui.add(Label::new(RichText::new(title).strong()).wrap());
+    // The bar has a place of its own, so that it does not lie on the last row.
+    let bar =
+        egui::style::ScrollStyle { floating: false, bar_width: 5.0, bar_inner_margin: 3.0, ..ui.spacing().scroll };
+    let before = std::mem::replace(&mut ui.spacing_mut().scroll, bar);
     ScrollArea::horizontal().id_salt(("table", salt)).auto_shrink([false, true]).show(ui, |ui| {
-        Grid::new(("cells", salt)).striped(true).num_columns(headers.len()).spacing([14.0, 4.0]).show(ui, |ui| {
+        Grid::new(("cells", salt)).striped(true).num_columns(headers.len()).spacing([12.0, 4.0]).show(ui, |ui| {
             for header in headers {
                 ui.label(RichText::new(*header).size(12.0).color(palette.weak));
             }
@@ -101,7 +105,6 @@ fn table(ui: &mut Ui, salt: usize, title: &str, headers: &[&str], rows: &[Vec<St
                 }
             }
         });
-        // Room for the scroll bar, so that it does not lie on the last row.
-        ui.add_space(8.0);
     });
+    ui.spacing_mut().scroll = before;
 }

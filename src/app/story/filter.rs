@@ -1,11 +1,11 @@
 //! What is looked for among the events: by ray, object, kind and words.
 
 use crate::app::frame::menu;
-use crate::app::frame::theme::Palette;
+use crate::app::frame::ticks;
 use crate::app::frame::words::{say, say_with};
 use crate::app::workbench::Workbench;
 use crate::story::{Filter, Kind, Story};
-use egui::{ScrollArea, Stroke, TextEdit, TextWrapMode, Ui};
+use egui::{ScrollArea, TextEdit, TextWrapMode, Ui};
 use std::collections::BTreeSet;
 
 /// Shows the conditions, and looks for what they say.
@@ -56,14 +56,12 @@ fn ticks<T: Ord + Clone>(
     let name = say(ui.ctx(), word);
     let title = if ticked.is_empty() { name } else { format!("{name} {}", ticked.len()) };
     ui.menu_button(title, |ui| {
-        // Menus take the rim from all that is not pointed at; a box that is not ticked would be seen by nobody.
-        ui.visuals_mut().widgets.inactive.bg_stroke = Stroke::new(1.0, Palette::current(ui.ctx()).weak);
         ui.style_mut().wrap_mode = Some(TextWrapMode::Extend);
         let height = menu::height(ui.ctx());
         ScrollArea::vertical().max_height(height).min_scrolled_height(height).show(ui, |ui| {
             for (name, value) in offered {
                 let mut is_on = ticked.contains(&value);
-                if ui.checkbox(&mut is_on, name).changed() {
+                if ticks::checkbox(ui, &mut is_on, name).changed() {
                     if is_on {
                         ticked.insert(value);
                     } else {

@@ -12,6 +12,8 @@ use crate::view::text::significant;
 
 /// The width that legends need beside the map.
 pub const WIDTH: f64 = 172.0;
+/// The height that they need below it.
+pub const HEIGHT: f64 = 230.0;
 const BAR: f64 = 16.0;
 const LONGEST_BAR: f64 = 260.0;
 const SWATCH: f64 = 11.0;

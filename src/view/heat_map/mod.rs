@@ -12,7 +12,7 @@ mod tests;
 
 use super::drawing::{Anchor, Drawing, Form, Frame, Spot, Stroke};
 use super::fonts::Face;
-use super::labels::{Label, shortened};
+use super::labels::{Label, shortened, wrapped};
 use super::palette::{Colour, Palette, Theme};
 use super::text::significant;
 use crate::math::portable;
@@ -93,7 +93,9 @@ pub fn heat_map(map: &HeatMap, size: [f64; 2], theme: Theme) -> Drawing {
     signs::draw(&mut drawing, map, &squares);
     let stroke = Some(Stroke::solid(palette.faint, 1.0));
     drawing.put(Form::Rect { frame: frame.grown(0.5), fill: None, stroke }, None);
-    let beside = Frame { low: [frame.high[0] + 18.0, frame.low[1]], high: [drawing.width - 4.0, drawing.height - 8.0] };
+    let from =
+        if is_upright(&drawing) { [frame.low[0], frame.high[1] + 14.0] } else { [frame.high[0] + 18.0, frame.low[1]] };
+    let beside = Frame { low: from, high: [drawing.width - 4.0, drawing.height - 8.0] };
     legend::draw(&mut drawing, map, palette, beside, &notes);
     drawing.description = map.told();
     drawing
@@ -108,15 +110,24 @@ fn heading(drawing: &mut Drawing, map: &HeatMap, palette: &Palette) -> Frame {
     drawing.put(Form::Text(title.at([MARGIN, y], Anchor::Start, None)), None);
     y += LINE + 4.0;
     for note in &map.notes {
-        let note = Label::new(shortened(note, width, TEXT, Face::Sans), TEXT, palette.faint);
-        drawing.put(Form::Text(note.at([MARGIN, y], Anchor::Start, None)), None);
-        y += LINE;
+        for line in wrapped(note, width, TEXT, Face::Sans) {
+            let line = Label::new(line, TEXT, palette.faint);
+            drawing.put(Form::Text(line.at([MARGIN, y], Anchor::Start, None)), None);
+            y += LINE;
+        }
     }
-    let right = drawing.width - MARGIN - legend::WIDTH;
-    Frame {
-        low: [MARGIN, (y + 2.0).round()],
-        high: [right.max(MARGIN + 16.0), (drawing.height - MARGIN).max(y + 18.0)],
-    }
+    let bottom = drawing.height - MARGIN;
+    let [right, bottom] = if is_upright(drawing) {
+        [drawing.width - MARGIN, bottom - legend::HEIGHT]
+    } else {
+        [drawing.width - MARGIN - legend::WIDTH, bottom]
+    };
+    Frame { low: [MARGIN, (y + 2.0).round()], high: [right.max(MARGIN + 16.0), bottom.max(y + 18.0)] }
+}
+
+/// Whether there is so much more room below the map than beside it that the legend stands there.
+fn is_upright(drawing: &Drawing) -> bool {
+    drawing.height > 1.15 * drawing.width
 }
 
 /// Where the map lies, and how many pixels of the picture go along the side of a square.

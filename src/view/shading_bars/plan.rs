@@ -5,7 +5,7 @@ use crate::view::drawing::Frame;
 
 /// A channel's bar is at least so high, and a light's three thin ones, in points: lower, and their names would cover each other.
 const CHANNEL: f64 = 14.0;
-const LAMP: f64 = 12.0;
+const LAMP: f64 = 18.0;
 /// A light's share of a channel's height.
 pub(super) const SHARE: f64 = 0.67;
 /// From this width on the table stands beside the bars.

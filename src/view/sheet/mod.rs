@@ -12,6 +12,7 @@ use crate::record::EventId;
 use crate::view::fonts::text_width;
 use crate::view::labels::{Label, Placer, shortened, wrapped};
 use crate::view::palette::{Colour, Palette};
+use crate::view::scene_colour::legible;
 pub(super) use crate::view::scene_colour::{ink_on, seen_on, shown};
 use crate::view::{Anchor, Drawing, Face, Form, Frame, Spot, Stroke, Theme};
 
@@ -200,6 +201,7 @@ impl Sheet {
 
     /// The same with the first of several texts that finds room.
     pub fn write_one_near(&mut self, texts: &[&str], around: Spot, gap: f64, colour: Colour) {
+        let colour = legible(self.palette, colour);
         let labels = texts.iter().map(|text| Label::new(*text, TEXT, colour).of(self.event)).collect();
         self.names.push(Name { labels, around, gap });
     }

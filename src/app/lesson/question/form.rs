@@ -3,6 +3,7 @@
 use super::asked::{Asked, Draft};
 use super::{QuestionWish, Seen, intervals, numbered, order};
 use crate::app::frame::theme::Palette;
+use crate::app::frame::ticks;
 use crate::app::frame::words::{say, say_with};
 use crate::app::lesson::text::Reader;
 use crate::app::pane::Pane;
@@ -55,7 +56,7 @@ fn choice(ui: &mut Ui, reader: &mut Reader, choices: &[PosedChoice], chosen: &mu
     for (place, choice) in choices.iter().enumerate() {
         let name = plain(&choice.text);
         ui.horizontal_top(|ui| {
-            let button = ui.radio(*chosen == Some(place), "");
+            let button = ticks::radio(ui, *chosen == Some(place));
             button.widget_info(|| WidgetInfo::selected(Role::RadioButton, true, *chosen == Some(place), &name));
             if button.clicked() {
                 *chosen = Some(place);

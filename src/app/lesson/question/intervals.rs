@@ -1,6 +1,7 @@
 //! Interval lists to choose from, each as bars on the same axis.
 
 use crate::app::frame::theme::{Palette, colour, drawing_theme};
+use crate::app::frame::ticks;
 use crate::lesson::expression::{Format, Value};
 use crate::lesson::question::{Reckoned, Stretch, list_text, offered_lists};
 use egui::{Align2, FontId, Rect, RichText, Role, Sense, Stroke, Ui, WidgetInfo, pos2, vec2};
@@ -21,7 +22,7 @@ pub fn ui(ui: &mut Ui, reckoned: &Reckoned<Vec<Stretch>>, chosen: &mut Option<us
         let is_chosen = *chosen == Some(place);
         let name = list_text(list);
         ui.horizontal(|ui| {
-            let button = ui.radio(is_chosen, "");
+            let button = ticks::radio(ui, is_chosen);
             button.widget_info(|| WidgetInfo::selected(Role::RadioButton, true, is_chosen, &name));
             let width = (ui.available_width() - 24.0).max(60.0);
             let (rect, bars) = ui.allocate_exact_size(vec2(width, ROW), Sense::CLICK);
