@@ -148,3 +148,13 @@ fn what_cannot_be_read_is_told_with_line_and_column() {
     settle(&mut bench);
     assert!(has(&bench, "line 2, column 2: `t`: expected a number"));
 }
+
+#[test]
+fn all_of_the_comparison_stays_within_its_panel() {
+    let bench = pinned();
+    let panel = workbench(&bench).dock().rect_of(Pane::Compare).expect("it is seen");
+    for part in ["compared with", "Name of the pin", "Take the pin away", "First difference:", "Show all rows"] {
+        let shown = bench.get_all_by_label_contains(part).next().expect(part).rect();
+        assert!(panel.x_range().contains(shown.left()) && panel.x_range().contains(shown.right()), "{part}: {shown}");
+    }
+}

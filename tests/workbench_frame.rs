@@ -5,7 +5,7 @@ mod hands;
 
 use egui::accesskit::Role;
 use egui::{Event, Key, Modifiers, Vec2};
-use egui_kittest::kittest::Queryable;
+use egui_kittest::kittest::{NodeT, Queryable};
 use hands::*;
 use rayscope::app::{Command, EditCommand, HelpCommand, Pane, Preset, SceneCommand, ViewCommand};
 use rayscope::words::Language;
@@ -305,4 +305,38 @@ fn the_tab_of_a_panel_that_comes_to_the_front_is_in_sight() {
 fn names_in_the_words_of_a_scene_are_shown_without_backticks() {
     let bench = open("lens/focus");
     assert!(bench.query_by_label_contains("Change focus and see").is_some());
+}
+
+#[test]
+fn a_menu_that_is_too_high_for_one_column_has_two_and_need_not_scroll() {
+    let mut bench = open("csg/bowl");
+    click_button(&mut bench, "View");
+    let (_, commands) =
+        Command::areas().into_iter().find(|(word, _)| *word == "menu-view").expect("there is such a menu");
+    for command in commands {
+        let name = rayscope::words::say(Language::English, command.word());
+        let is_seen = bench.query_all_by_label_contains(&name).any(|line| line.rect().bottom() <= 800.0);
+        assert!(is_seen, "{name}");
+    }
+}
+
+#[test]
+fn the_palette_offers_what_can_be_done_before_what_cannot() {
+    let mut bench = open("hello/sphere");
+    press_with(&mut bench, Modifiers::COMMAND, Key::K);
+    type_text(&mut bench, "save");
+    let lines = bench.query_all_by_label_contains("ave").filter(|line| line.accesskit_node().role() == Role::Button);
+    let mut lines: Vec<_> = lines.map(|line| (line.rect().top(), line.accesskit_node().is_disabled())).collect();
+    lines.sort_by(|a, b| a.0.total_cmp(&b.0));
+    assert!(lines.is_sorted_by_key(|(_, is_disabled)| *is_disabled), "{lines:?}");
+}
+
+#[test]
+fn keys_are_named_as_on_a_keyboard_of_the_language() {
+    let mut bench = open_at("hello/sphere", Vec2::new(1280.0, 2400.0));
+    press(&mut bench, Key::F1);
+    assert!(bench.query_all_by_label("Ctrl+K").next().is_some());
+    run(&mut bench, ViewCommand::Language(Language::German));
+    assert!(bench.query_all_by_label("Strg+K").next().is_some());
+    assert!(bench.query_all_by_label_contains("Ctrl").next().is_none());
 }

@@ -174,7 +174,9 @@ fn what_a_link_asks_for_that_is_not_there_is_told_and_the_rest_is_shown() {
     workbench_mut(&mut bench).follow(&ctx, &link);
     settle(&mut bench);
     assert_eq!(pixel(&bench), [5, 6]);
-    assert!(bench.query_by_label_contains("is not where it was").is_some());
+    wait_until(&mut bench, "what became of the place", |bench| {
+        bench.query_by_label_contains("is not where it was").is_some()
+    });
     let link: Link = "rayscope:csg/bowl?pixel=99999,6&preset=gallery".parse().unwrap();
     workbench_mut(&mut bench).follow(&ctx, &link);
     settle(&mut bench);

@@ -184,11 +184,6 @@ impl ComparePane {
             if ui.button(say(ui.ctx(), "compare-open")).on_hover_text(say(ui.ctx(), "compare-open-about")).clicked() {
                 self.ask_for_foreign(&ui.ctx().clone());
             }
-        });
-        if !self.pins.is_empty() {
-            self.choice(ui);
-        }
-        ui.horizontal_wrapped(|ui| {
             for (page, word) in [
                 (Page::Stories, "compare-page-stories"),
                 (Page::Pictures, "compare-page-pictures"),
@@ -200,6 +195,9 @@ impl ComparePane {
                 }
             }
         });
+        if !self.pins.is_empty() {
+            self.choice(ui);
+        }
     }
 
     /// Which pin, and its name: each in a line of its own, beside its label.

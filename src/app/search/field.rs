@@ -87,7 +87,7 @@ impl Field {
         let mut is_completing = false;
         let output = popup.show(ui, edit, |query| {
             let offered = suggestions(query, vocabulary, columns);
-            is_completing |= !offered.is_empty();
+            is_completing |= !query.word.is_empty() && !offered.is_empty();
             offered
         });
         let response = output.text_edit.response.response;

@@ -23,6 +23,7 @@ pub enum Unread {
     /// The system says why.
     System(String),
     /// None could be chosen: the system shows no dialogue.
+    #[cfg_attr(target_arch = "wasm32", expect(dead_code, reason = "a browser always has one"))]
     NoDialogue,
 }
 
