@@ -257,18 +257,18 @@ impl Editing {
             let arguments =
                 [("line", (&line).into()), ("column", (&column).into()), ("message", (&flaw.message).into())];
             let message = say_with(ui.ctx(), "edit-error-at", &arguments);
-            in_two_lines(ui, &message, TextStyle::Body, palette.problem);
+            in_two_lines(ui, &message, &TextStyle::Body, palette.problem);
         } else {
             let place = self.analysis.syntax.place_at(cursor);
             let about = Guide::scene().at(&self.analysis.whole, &place).description(Guide::scene()).to_owned();
             ui.add(egui::Label::new(RichText::new(place.to_string()).monospace().small()).truncate());
-            in_two_lines(ui, &about, TextStyle::Small, palette.weak);
+            in_two_lines(ui, &about, &TextStyle::Small, palette.weak);
         }
     }
 }
 
 /// A sentence with as much of it as two lines hold; all of it under the pointer. Names in it stand out.
-fn in_two_lines(ui: &mut Ui, text: &str, style: TextStyle, colour: Color32) {
+fn in_two_lines(ui: &mut Ui, text: &str, style: &TextStyle, colour: Color32) {
     let mut job = with_code(text, style.resolve(ui.style()).size, colour);
     job.wrap = TextWrapping { max_width: ui.available_width(), max_rows: 2, ..TextWrapping::default() };
     let galley = ui.painter().layout_job(job);

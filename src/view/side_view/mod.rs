@@ -208,7 +208,7 @@ impl SideView<'_> {
         let ends = [left, left + points];
         let bar = vec![[ends[0], y - 3.0], [ends[0], y], [ends[1], y], [ends[1], y - 3.0]];
         self.drawing.put(Form::Line { points: bar, stroke }, None);
-        let label = Label::new(brief(length), SMALL, self.palette.faint);
+        let label = Label::new(brief(length), SMALL, self.palette.ink);
         let text = label.at([ends[1] + 6.0, y - 2.0], Anchor::Start, Some(self.palette.ground));
         self.placer.put_at(&mut self.drawing, text, None);
         self.aside_note(y - 2.0);
