@@ -22,6 +22,10 @@ use std::sync::Arc;
 const COLUMNS: u32 = 360;
 /// How far a key moves the slider.
 const KEY_STEP: f32 = 0.02;
+/// Room for the names below a picture, in points.
+const NAMES: f32 = 24.0;
+/// No picture is given less height than this, in points: the panel scrolls instead.
+const LOWEST: f32 = 180.0;
 
 /// To render a scene at one go.
 #[derive(Serialize, Deserialize)]
@@ -168,12 +172,6 @@ impl Running {
         })
     }
 }
-
-/// Room for the names below a picture, in points.
-const NAMES: f32 = 24.0;
-
-/// No picture is given less height than this, in points: the panel scrolls instead.
-const LOWEST: f32 = 180.0;
 
 /// The scene with a picture of few columns.
 fn smaller(scene: &Scene) -> Scene {

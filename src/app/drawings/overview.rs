@@ -164,18 +164,14 @@ impl OverviewPane {
         }
         ui.menu_button(say(ui.ctx(), "drawings-look"), |ui| {
             let mut is_camera = self.view.is_camera;
-            let camera = {
-                let words = say(ui.ctx(), "drawings-camera");
-                ticks::checkbox(ui, &mut is_camera, words)
-            };
+            let words = say(ui.ctx(), "drawings-camera");
+            let camera = ticks::checkbox(ui, &mut is_camera, words);
             if camera.on_hover_text(say(ui.ctx(), "drawings-camera-about")).changed() {
                 self.view = View { is_camera, zoom: 1.0, pan: [0.0; 2], ..self.view };
             }
             let mut is_parallel = !self.view.is_perspective;
-            let parallel = {
-                let words = say(ui.ctx(), "drawings-parallel");
-                ticks::checkbox(ui, &mut is_parallel, words)
-            };
+            let words = say(ui.ctx(), "drawings-parallel");
+            let parallel = ticks::checkbox(ui, &mut is_parallel, words);
             if parallel.on_hover_text(say(ui.ctx(), "drawings-parallel-about")).changed() {
                 self.view.is_perspective = !is_parallel;
             }

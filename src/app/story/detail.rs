@@ -5,6 +5,7 @@ use crate::app::frame::theme::{PADDING, Palette};
 use crate::app::frame::words::{say, say_with};
 use crate::app::story::recording::Recording;
 use crate::view::{DetailLine, detail};
+use egui::style::ScrollStyle;
 use egui::{Frame, Grid, Label, Margin, RichText, ScrollArea, TextStyle, Ui};
 
 /// Shows the selected event.
@@ -87,8 +88,7 @@ fn table(ui: &mut Ui, salt: usize, title: &str, headers: &[&str], rows: &[Vec<St
     let palette = Palette::current(ui.ctx());
     ui.add(Label::new(RichText::new(title).strong()).wrap());
     // The bar has a place of its own, so that it does not lie on the last row.
-    let bar =
-        egui::style::ScrollStyle { floating: false, bar_width: 5.0, bar_inner_margin: 3.0, ..ui.spacing().scroll };
+    let bar = ScrollStyle { floating: false, bar_width: 5.0, bar_inner_margin: 3.0, ..ui.spacing().scroll };
     let before = std::mem::replace(&mut ui.spacing_mut().scroll, bar);
     ScrollArea::horizontal().id_salt(("table", salt)).auto_shrink([false, true]).show(ui, |ui| {
         Grid::new(("cells", salt)).striped(true).num_columns(headers.len()).spacing([12.0, 4.0]).show(ui, |ui| {

@@ -38,16 +38,16 @@ pub fn ui(ui: &mut Ui, workbench: &mut Workbench) {
 fn conditions(ui: &mut Ui, story: &Story, filter: &mut Filter) {
     let index = story.index();
     let rays = index.ray_kinds().map(|kind| (kind.name().to_owned(), kind));
-    ticks(ui, "step-filter-rays", rays, &mut filter.rays);
+    tick_menu(ui, "step-filter-rays", rays, &mut filter.rays);
     let objects = index.objects().map(|name| (name.to_owned(), name.to_owned()));
-    ticks(ui, "step-filter-objects", objects, &mut filter.objects);
+    tick_menu(ui, "step-filter-objects", objects, &mut filter.objects);
     let present = |kind: &&Kind| index.has(**kind);
     let kinds = Kind::ALL.iter().filter(present).map(|&kind| (kind.name().to_owned(), kind));
-    ticks(ui, "step-filter-kinds", kinds, &mut filter.kinds);
+    tick_menu(ui, "step-filter-kinds", kinds, &mut filter.kinds);
 }
 
 /// A menu of things to tick. Its button says how many are ticked.
-fn ticks<T: Ord + Clone>(
+fn tick_menu<T: Ord + Clone>(
     ui: &mut Ui,
     word: &str,
     offered: impl Iterator<Item = (String, T)>,

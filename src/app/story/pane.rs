@@ -70,9 +70,7 @@ fn drawer(ui: &mut Ui, workbench: &mut Workbench, height: f32) {
 }
 
 fn note(ui: &mut Ui, workbench: &mut Workbench) {
-    // What a drawer said goes away with it.
-    let is_said = |note: &&str| *note != "step-jump-none" || workbench.stepping.drawer == Some(Drawer::Jump);
-    let Some(note) = workbench.stepping.note.filter(is_said) else { return };
+    let Some(note) = workbench.stepping.note else { return };
     let close = say(ui.ctx(), "step-note-close");
     ui.horizontal(|ui| {
         ui.label(RichText::new(say(ui.ctx(), note)).color(Palette::current(ui.ctx()).problem));

@@ -106,6 +106,8 @@ impl Stepping {
     /// Opens a drawer with its field focused, or closes it.
     pub(in crate::app) fn toggle(&mut self, drawer: Drawer) {
         self.drawer = (self.drawer != Some(drawer)).then_some(drawer);
+        // What one drawer led to says nothing about the next.
+        self.note = None;
         self.wants_focus = self.drawer.is_some();
     }
 

@@ -70,8 +70,11 @@ fn from_above(sheet: &mut Sheet, bump: &Bump, room: &Frame) {
     };
     let directions = [flat(p_u), flat(p_v)];
     let place = view(&directions, half - 4.0);
-    let directions = directions.map(place);
-    let drawn = directions.map(|tip| sheet.arrow(centre, tip, sheet.palette.faint, 1.6));
+    for (vector, name) in directions.into_iter().zip(["P_u", "P_v"]) {
+        if sheet.arrow(centre, place(vector), sheet.palette.faint, 1.6) {
+            sheet.write_near(name, place(vector), 4.0, sheet.palette.faint);
+        }
+    }
     let place = view(&[terms[0], terms[1], sum], half - 8.0);
     sheet.arrow(centre, place(terms[0]), sheet.palette.right, 2.0);
     sheet.arrow(centre, place(terms[1]), sheet.palette.left, 2.0);
@@ -81,10 +84,6 @@ fn from_above(sheet: &mut Sheet, bump: &Bump, room: &Frame) {
         sheet.line(room, &[place(term), place(sum)], dashes);
     }
     sheet.arrow(centre, place(sum), sheet.palette.bad, 2.4);
-    // Names come last, so that they keep off all arrows.
-    for (i, name) in ["P_u", "P_v"].into_iter().enumerate().filter(|(i, _)| drawn[*i]) {
-        sheet.write_near(name, directions[i], 4.0, sheet.palette.faint);
-    }
     sheet.dot(centre, 3.5, sheet.palette.ink);
 }
 

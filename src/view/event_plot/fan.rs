@@ -146,8 +146,6 @@ fn rays(sheet: &mut Sheet, all: &[(EventId, &Wavelength)], own: &Wavelength, fan
     sheet.event = own_event;
     let start = along(reach, own.theta1, -1.0);
     sheet.line(room, &[start, foot], Stroke::solid(ink, 2.2));
-    sheet.placer.avoid_line(start, foot);
-    sheet.placer.avoid_line(normal[0], normal[1]);
     arc(sheet, foot, 0.34 * reach, [-90.0, -90.0 - own.theta1], "θ₁");
     if let Some(theta2) = fan.drawn(own) {
         arc(sheet, foot, 0.42 * reach, [90.0, 90.0 - theta2], "θ₂");

@@ -1,7 +1,7 @@
 //! A cell of the noise lattice in space: what its eight corners say of the point, and how much each counts.
 
 use crate::record::{Lattice, LatticeCorner, Triple};
-use crate::view::sheet::{Chart, Fact, Oblique, Sheet, bounds, is_roomy, within_axes};
+use crate::view::sheet::{Chart, Fact, Oblique, SMALL, Sheet, bounds, is_roomy, within_axes};
 use crate::view::text::{brief, brief_vector};
 use crate::view::{Anchor, Colour, Frame, Spot, Stroke};
 use glam::DVec3;
@@ -140,7 +140,7 @@ fn names(sheet: &mut Sheet, view: &Oblique) {
         [([0.5, 0.0, 0.0], "x", [0.0, 10.0]), ([1.0, 0.5, 0.0], "y", [9.0, 6.0]), ([0.0, 0.0, 0.5], "z", [-9.0, 0.0])]
     {
         let [x, y] = view.at(at);
-        sheet.write_over(name, [x + dx, y + dy], Anchor::Middle, faint);
+        sheet.write_over(name, [x + dx, y + dy], Anchor::Middle, SMALL, faint);
     }
 }
 

@@ -162,7 +162,6 @@ fn outline(sheet: &mut Sheet, chart: &Chart, grid: &Grid) {
         let ring = chart.all_at(&grid.footprint);
         sheet.outline(&chart.frame, &ring, Stroke::solid(sheet.palette.ground, 4.0));
         sheet.outline(&chart.frame, &ring, Stroke::solid(sheet.palette.bad, 2.0));
-        sheet.placer.avoid_ring(&ring);
     }
     if let Some(hit) = grid.hit.filter(|hit| hit.iter().all(|x| x.is_finite())) {
         sheet.mark(&chart.frame, chart.at(hit), 4.5, sheet.palette.ink);

@@ -93,10 +93,10 @@ pub fn heat_map(map: &HeatMap, size: [f64; 2], theme: Theme) -> Drawing {
     signs::draw(&mut drawing, map, &squares);
     let stroke = Some(Stroke::solid(palette.faint, 1.0));
     drawing.put(Form::Rect { frame: frame.grown(0.5), fill: None, stroke }, None);
-    let from =
+    let at =
         if is_upright(&drawing) { [frame.low[0], frame.high[1] + 14.0] } else { [frame.high[0] + 18.0, frame.low[1]] };
-    let beside = Frame { low: from, high: [drawing.width - 4.0, drawing.height - 8.0] };
-    legend::draw(&mut drawing, map, palette, beside, &notes);
+    let key = Frame { low: at, high: [drawing.width - 4.0, drawing.height - 8.0] };
+    legend::draw(&mut drawing, map, palette, key, &notes);
     drawing.description = map.told();
     drawing
 }

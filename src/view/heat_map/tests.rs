@@ -73,7 +73,7 @@ fn others() -> [HeatMap; 3] {
 #[test]
 fn no_text_covers_another_and_none_is_cut_off() {
     for map in [waves([80, 60]), waves([640, 480]), waves([30, 90]), kinds()].iter().chain(&others()) {
-        for size in [[760.0, 480.0], [560.0, 420.0]] {
+        for size in [[760.0, 480.0], [560.0, 420.0], [330.0, 520.0]] {
             let drawing = heat_map(map, size, Theme::Light);
             let frames: Vec<Frame> = drawing.texts().map(Text::frame).collect();
             for (k, frame) in frames.iter().enumerate() {

@@ -127,7 +127,7 @@ impl Overview<'_> {
         let fill = Some(self.sheet.palette.ground.faded(0.85));
         self.sheet.drawing.put(Form::Rect { frame, fill, stroke: None }, None);
         for (kind, x) in places {
-            self.sheet.write_over(kind.name(), [x + 24.0, y], Anchor::Start, self.sheet.palette.faint);
+            self.sheet.write_over(kind.name(), [x + 24.0, y], Anchor::Start, SMALL, self.sheet.palette.faint);
             self.flat_line(&[[x, y], [x + 20.0, y]], stroke(self.sheet.palette, kind, 2.0), None);
         }
     }

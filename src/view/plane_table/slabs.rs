@@ -87,7 +87,7 @@ impl Slabs {
         let is_empty = from > to || row.sense == PlaneSense::ParallelOutside;
         if is_empty {
             let bad = sheet.palette.bad;
-            sheet.write_over("nothing is left", [f64::midpoint(left, right), y], Anchor::Middle, bad);
+            sheet.write_over("nothing is left", [f64::midpoint(left, right), y], Anchor::Middle, SMALL, bad);
         } else {
             bar(sheet, [from, to], y, 0.5 * self.pitch, colour);
         }

@@ -137,7 +137,7 @@ fn draw_bars(sheet: &mut Sheet, plan: &Plan, shading: &Shading) {
         sheet.write(name, [room.low[0], y + 0.5 * pitch], Anchor::Start, TEXT, sheet.palette.ink);
         let end = stack(sheet, &axis, frame, &shading.parts, channel);
         let sum = amount(shading.total[channel]);
-        sheet.write_over(&sum, [end + 6.0, y + 0.5 * pitch], Anchor::Start, sheet.palette.ink);
+        sheet.write_over(&sum, [end + 6.0, y + 0.5 * pitch], Anchor::Start, TEXT, sheet.palette.ink);
         y += pitch;
     }
     for lamp in lamps {
@@ -185,7 +185,7 @@ fn draw_lamp(sheet: &mut Sheet, axis: &Axis, [top, bottom]: [f64; 2], left: f64,
     let none = lamp.diffuse == [0.0; 3] && lamp.specular == [0.0; 3];
     let sum = std::array::from_fn(|i| lamp.diffuse[i] + lamp.specular[i]);
     let full = if none { "adds nothing".to_owned() } else { amounts(sum) };
-    sheet.write_over(&full, [end + 6.0, middle], Anchor::Start, sheet.palette.faint);
+    sheet.write_over(&full, [end + 6.0, middle], Anchor::Start, SMALL, sheet.palette.faint);
     sheet.event = own;
 }
 

@@ -189,8 +189,8 @@ impl Sheet {
     }
 
     /// The same where lines may run below it.
-    pub fn write_over(&mut self, text: &str, at: Spot, anchor: Anchor, colour: Colour) -> bool {
-        let text = Label::new(text, SMALL, colour).at(at, anchor, Some(self.palette.ground));
+    pub fn write_over(&mut self, text: &str, at: Spot, anchor: Anchor, size: f64, colour: Colour) -> bool {
+        let text = Label::new(text, size, colour).at(at, anchor, Some(self.palette.ground));
         self.placer.put_at(&mut self.drawing, text, Some(self.event))
     }
 
@@ -216,6 +216,12 @@ impl Sheet {
         }
     }
 
+    /// The same back to where it began.
+    pub fn outline(&mut self, within: &Frame, ring: &[Spot], stroke: Stroke) {
+        let closed: Vec<Spot> = ring.iter().chain(ring.first()).copied().collect();
+        self.line(within, &closed, stroke);
+    }
+
     /// A part of a circle between two angles in radians, from the x axis towards the y axis.
     pub fn arc(&mut self, centre: Spot, radius: f64, angles: [f64; 2], stroke: Stroke) {
         const PARTS: u32 = 12;
@@ -225,12 +231,6 @@ impl Sheet {
             (0..=PARTS).map(|part| [centre[0] + radius * cos(part), centre[1] + radius * sin(part)]).collect();
         self.placer.avoid_outline(&points);
         self.drawing.put(Form::Arc { centre, radius, angles, stroke }, self.event);
-    }
-
-    /// The same back to where it began.
-    pub fn outline(&mut self, within: &Frame, ring: &[Spot], stroke: Stroke) {
-        let closed: Vec<Spot> = ring.iter().chain(ring.first()).copied().collect();
-        self.line(within, &closed, stroke);
     }
 
     /// The area that an odd number of rings go round, as far as it lies within the frame.
