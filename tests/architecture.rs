@@ -186,6 +186,7 @@ const CRATES: &[(&[&str], &[&str])] = &[
     (&["tiny_skia"], &["src/view/paint.rs"]),
     (&["ratex_parser", "ratex_layout", "ratex_types", "ratex_font"], &["src/view/formula/"]),
     (&["image_compare"], &["src/laboratory/errors.rs"]),
+    (&["stacker"], &["src/trace/ray.rs"]),
     (&["clap", "ctrlc", "indicatif"], &["src/cli/"]),
 ];
 

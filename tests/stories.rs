@@ -1,8 +1,8 @@
 //! What the embedded scenes promise to show is there to be seen.
 
-use rayscope::record::{Event, EventId, Operator, RayKind, What};
+use rayscope::record::{Event, EventId, NullRecorder, Operator, RayKind, What};
 use rayscope::scene::{Scene, embedded_scene, load};
-use rayscope::trace::{RayTree, record_pixel};
+use rayscope::trace::{RayTree, record_pixel, trace_pixel};
 
 fn scene(name: &str) -> Scene {
     let embedded = embedded_scene(name).unwrap_or_else(|| panic!("no scene {name}"));
@@ -137,6 +137,26 @@ fn rays_that_double_at_every_hit_end_at_a_stated_number() {
     let scene = load(DOUBLING, "doubling").unwrap_or_else(|errors| panic!("{errors}"));
     let tree = record_pixel(&scene, 4, 4);
     assert!(tree.events.iter().any(|event| matches!(&event.what, What::Limit { limit, .. } if limit == "rays")));
+}
+
+#[test]
+fn as_deep_as_a_scene_may_ask_a_room_of_mirrors_gives_the_sum_of_the_series() {
+    // Every wall gives 0.02 of its own and mirrors 0.98 of what it sees: 1 − 0.98²⁵¹ after 250 reflections.
+    let room = r#"{
+        "camera": {"eye": [0.1, 0.2, 0.3], "look_at": [1, 0.3, 0.2]},
+        "image": {"width": 3, "height": 2},
+        "ambient": [1, 1, 1],
+        "limits": {"depth": 250, "contribution": 0},
+        "materials": {"mirror": {"ambient": [0.02, 0.02, 0.02], "diffuse": [0, 0, 0], "reflectivity": 0.98}},
+        "objects": [{"shape": "cube", "material": "mirror", "transform": [{"scale": 3}]}]
+    }"#;
+    let scene = load(room, "a room of mirrors").unwrap_or_else(|errors| panic!("{errors}"));
+    let expected = 1.0 - 0.98_f64.powi(251);
+    let tree = record_pixel(&scene, 1, 1);
+    let rays = count(&tree, |what| matches!(what, What::Ray { ray: RayKind::Reflected, .. }));
+    assert_eq!(rays, 250);
+    let found = trace_pixel(&scene, 1, 1, &mut NullRecorder).x;
+    assert!((found - expected).abs() < 1e-14, "{found} is not {expected}");
 }
 
 #[test]

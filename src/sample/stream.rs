@@ -17,6 +17,8 @@ pub enum Purpose {
     Distance,
     /// By how much it is turned there.
     Phase,
+    /// Which of several rays is sent where not all can be.
+    Way,
 }
 
 impl Purpose {
@@ -28,6 +30,7 @@ impl Purpose {
             Self::Distance => 3,
             Self::Phase => 4,
             Self::Light(light) => 5_u32.wrapping_add(light),
+            Self::Way => u32::MAX,
         }
     }
 }
@@ -102,7 +105,7 @@ const fn mixed(mut bits: u32) -> u32 {
 mod tests {
     use super::*;
 
-    const PURPOSES: [Purpose; 7] = [
+    const PURPOSES: [Purpose; 8] = [
         Purpose::Pixel,
         Purpose::Lens,
         Purpose::Light(0),
@@ -110,6 +113,7 @@ mod tests {
         Purpose::Wavelength,
         Purpose::Distance,
         Purpose::Phase,
+        Purpose::Way,
     ];
 
     fn points(stream: Stream, purpose: Purpose, count: u32) -> Vec<[f64; 2]> {

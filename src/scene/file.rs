@@ -215,7 +215,7 @@ pub enum MediaFile {
 #[schemars(deny_unknown_fields)]
 pub struct LimitsFile {
     /// How many rays away from the camera ray a ray may be.
-    #[schemars(range(max = 50))]
+    #[schemars(range(max = 250))]
     pub depth: u32,
     /// Rays whose colour would count less than this in the pixel are not followed.
     #[schemars(range(min = 0.0, max = 1.0))]

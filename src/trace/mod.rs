@@ -4,6 +4,7 @@
     reason = "what every ray runs stays in one piece, as it would be without the effects that call the same functions"
 )]
 
+mod allotment;
 mod area_light;
 mod beam;
 mod calls;

@@ -44,13 +44,21 @@ pub struct Ray {
     pub stream: Stream,
 }
 
-/// Rays that a pixel may spawn. Depth alone does not bound them: where each ray spawns two, every level doubles them.
-/// Fewer would cut off what can be seen in glass within mirrors; more would let one pixel take minutes.
+/// Rays that a pixel may spawn before chance chooses between them. Depth alone does not bound them: where each ray spawns two,
+/// every level doubles them. Fewer would leave noise in what can be seen in glass within mirrors; more would let one pixel take
+/// minutes.
 pub(super) const MOST_RAYS: u32 = 1 << 16;
 
 /// How often a path may be turned in media. Fewer would darken thick clouds that absorb nothing, from which half of the light
 /// comes after dozens of turns; more would cost time for what can hardly be seen.
 pub(super) const MOST_TURNS: u32 = 64;
+
+/// Bytes of the stack that a ray needs at most before it spawns the next one. It takes about 8,000 where it is recorded, and
+/// several times as many without optimisation.
+const LEAST_STACK: usize = 1 << 17;
+
+/// Bytes that the stack grows by. Less would let deep trees ask for memory more often; more would be unused in shallow ones.
+const MORE_STACK: usize = 1 << 21;
 
 impl Ray {
     /// A ray from the eye, in air.
@@ -178,6 +186,11 @@ impl<'a> Tracer<'a> {
             None => self.see(ray, surface.as_mut(), recorder),
             Some(filling) => self.see_through(ray, &filling, surface.as_mut(), recorder),
         })
+    }
+
+    /// The same for a ray that another one has spawned: where the stack runs short, with a new piece of it.
+    pub(super) fn trace_spawned<R: Recorder>(&self, ray: &Ray, recorder: &mut R) -> Rgb {
+        stacker::maybe_grow(LEAST_STACK, MORE_STACK, || self.trace(ray, recorder))
     }
 
     /// The light that comes from where the ray ends.

@@ -1,8 +1,8 @@
 //! Light that a medium turns towards the start of a ray.
 //!
 //! A ray that was not turned yet sees all that lies behind the medium, dimmed, and one point on its way at which light is
-//! turned. A ray that was turned makes one choice by the same random number: it goes through, or it is turned again. At each
-//! such point every light is asked, as at a surface. Where the medium turns light more than once, the path goes on from there in a
+//! turned. A ray that was turned, or may spawn no more rays, makes one choice by the same random number: it goes through, or it
+//! is turned. At each such point every light is asked, as at a surface. Where the medium turns light more than once, the path goes on from there in a
 //! direction by the phase function; else only lights are seen by it, and neither surfaces nor surroundings.
 
 use super::ray::{Ray, Tracer};
@@ -35,8 +35,10 @@ struct Turn<'a> {
     /// The unit direction of the ray.
     onward: DVec3,
     phase: HenyeyGreenstein,
-    /// How many rays the path that goes on from here may spawn; none where it may not even be sent.
-    budget: Option<u32>,
+    /// Whether it is known to lie on the stretch; else it may come as far as it likes.
+    is_on_stretch: bool,
+    /// How many rays the path that goes on from here may spawn.
+    budget: u32,
 }
 
 impl Tracer<'_> {
@@ -59,46 +61,38 @@ impl Tracer<'_> {
         }
         Self::enter(Effect::Scattering, recorder);
         let chance = ray.stream.number(Purpose::Distance);
-        if ray.turns == 0 {
+        let turn_at = |flight: Flight, is_on_stretch, budget| {
+            let onward = ray.direction.normalize();
+            let phase = HenyeyGreenstein { anisotropy: medium.anisotropy };
+            let point = ray.origin + onward * flight.distance;
+            Turn { ray, stretch, flight, point, onward, phase, is_on_stretch, budget }
+        };
+        let left = ray.budget.saturating_sub(1);
+        if ray.turns == 0 && (ray.budget > 0 || !medium.multiple) {
             let flight = medium.turned_within(stretch.length, ray.tint, chance);
             // What lies behind and the path that is turned share what may be spawned.
-            let half = ray.budget.checked_sub(1).map(|left| left / 2);
-            let budget = if medium.multiple { half.unwrap_or(0) } else { ray.budget };
-            let scattered = self.light_from(ray, stretch, flight, chance, half, recorder);
+            let budget = if medium.multiple { left / 2 } else { ray.budget };
+            let scattered = self.light_from(&turn_at(flight, true, left / 2), chance, recorder);
             return Turned { scattered, budget, ..unturned };
         }
         match medium.walk(stretch.length, ray.tint, chance) {
             Walk::Through(passes) => Turned { passes, ..unturned },
             Walk::Turned(flight) => {
-                let left = ray.budget.checked_sub(1);
-                let scattered = self.light_from(ray, stretch, flight, chance, left, recorder);
+                let scattered = self.light_from(&turn_at(flight, false, left), chance, recorder);
                 Turned { passes: Rgb::ZERO, scattered, ..unturned }
             }
         }
     }
 
     /// The light that is turned towards the ray's start at one point, times what it counts.
-    fn light_from<R: Recorder>(
-        &self,
-        ray: &Ray,
-        stretch: &Stretch,
-        flight: Flight,
-        chance: f64,
-        budget: Option<u32>,
-        recorder: &mut R,
-    ) -> Rgb {
+    fn light_from<R: Recorder>(&self, turn: &Turn, chance: f64, recorder: &mut R) -> Rgb {
         recorder.begin();
-        let onward = ray.direction.normalize();
-        let medium = stretch.filling.medium;
-        let phase = HenyeyGreenstein { anisotropy: medium.anisotropy };
-        let point = ray.origin + onward * flight.distance;
-        let turn = Turn { ray, stretch, flight, point, onward, phase, budget };
-        let mut light: Rgb = (0..self.scene.lights.len()).map(|index| self.turned_light(&turn, index, recorder)).sum();
-        if medium.multiple {
-            light += self.path_onward(&turn, recorder);
+        let mut light: Rgb = (0..self.scene.lights.len()).map(|index| self.turned_light(turn, index, recorder)).sum();
+        if turn.stretch.filling.medium.multiple {
+            light += self.path_onward(turn, recorder);
         }
-        let colour = flight.weight * light;
-        recorder.end(|| self.describe_scatter(&turn, chance, light, colour));
+        let colour = turn.flight.weight * light;
+        recorder.end(|| self.describe_scatter(turn, chance, light, colour));
         colour
     }
 
@@ -137,7 +131,7 @@ impl Tracer<'_> {
             direction,
             depth: ray.depth,
             weight: ray.weight * flight.weight.max_element(),
-            budget: turn.budget.unwrap_or(0),
+            budget: turn.budget,
             departure: None,
             media: ray.media.clone(),
             place: None,
@@ -147,12 +141,12 @@ impl Tracer<'_> {
             turns: ray.turns + 1,
             stream: ray.stream.branch(kind as u32),
         };
-        if self.stopped_by_a_limit(&path, turn.budget.is_none(), recorder) {
+        if self.stopped_by_a_limit(&path, recorder) {
             return Rgb::ZERO;
         }
         recorder.count(Counter::Sent(Effect::Scattering));
         recorder.begin();
-        let colour = self.trace(&path, recorder);
+        let colour = self.trace_spawned(&path, recorder);
         recorder.end(|| self.describe_ray(&path));
         colour
     }
@@ -171,8 +165,7 @@ impl Tracer<'_> {
             colour: colour.to_array(),
         }));
         let rate = medium.extinction()[flight.colour];
-        // A path that was turned before may come as far as it likes; the first point is one of those on the stretch.
-        let share_of_all = if ray.turns == 0 { one_less_exp(rate * stretch.length) } else { 1.0 };
+        let share_of_all = if turn.is_on_stretch { one_less_exp(rate * stretch.length) } else { 1.0 };
         let bindings = [
             ("ξ", flight.share.into()),
             ("q", share_of_all.into()),

@@ -1,11 +1,12 @@
 //! The rays that a hit spawns: the mirrored one and the one through the surface (§ 6.4).
 
+use super::allotment::{Allotment, Lot};
 use super::beam::{Beam, Corners};
 use super::closest::Surface;
 use super::departure::Departure;
 use super::division::{Division, Through};
 use super::media::MediaCrossing;
-use super::ray::{Components, MOST_RAYS, MOST_TURNS, Ray, Tracer};
+use super::ray::{Components, MOST_TURNS, Ray, Tracer};
 use crate::optics::{MediaStack, reflect};
 use crate::record::{Counter, Effect, Entry, RayKind, Recorder, Value, What};
 use crate::scene::{Effects, Material, Rgb, Split};
@@ -28,8 +29,8 @@ struct Offspring {
     /// The share of what it brings back, by colour.
     share: Rgb,
     media: MediaStack,
-    /// How many rays it may spawn in turn; none where its parent may not even spawn it.
-    budget: Option<u32>,
+    /// Whether it is sent, and how many rays it may spawn in turn.
+    lot: Lot,
     /// Its wavelength in nanometres, where it has one.
     wavelength: Option<f64>,
     /// Tells its random numbers from those of the other rays that its parent spawns.
@@ -38,11 +39,6 @@ struct Offspring {
 
 /// At least as many as there are kinds of rays.
 const MOST_KINDS: u32 = 256;
-
-/// What is left for each of some rays that are spawned together.
-fn budget_for_each(parent: &Ray, count: u32) -> Option<u32> {
-    parent.budget.checked_sub(count).map(|left| left / count.max(1))
-}
 
 impl Tracer<'_> {
     /// Adds what comes back along the reflected and the transmitted ray.
@@ -74,16 +70,17 @@ impl Tracer<'_> {
         let Meeting { surface, material, corners } = meeting;
         let Division { mirrored: share, name, through } = self.divide(ray, meeting, crossing, recorder);
         let mirroring = self.mirrored_for(material, through.is_empty()).filter(|_| share != Rgb::ZERO);
-        let passing = u32::try_from(through.len()).unwrap_or(u32::MAX);
-        let budget = budget_for_each(ray, u32::from(mirroring.is_some()).saturating_add(passing));
+        let mirrored_share = mirroring.map_or(Rgb::ZERO, |_| share);
+        let shares = through.iter().map(|way| way.share);
+        let allotment = Allotment::new(ray, self.scene.limits.depth, [mirrored_share].into_iter().chain(shares));
         if let Some(effect) = mirroring {
             let direction = surface.kept_outside(reflect(ray.direction, surface.n_shading));
             recorder.note(|| describe_reflection(ray, surface, direction, share, name));
             Self::enter(effect, recorder);
             let (kind, media, wavelength) = (RayKind::Reflected, ray.media.clone(), ray.wavelength);
             let beam = corners.as_deref().map(|corners| Beam::mirrored(corners, surface));
-            let branch = kind as u32;
-            let offspring = Offspring { effect, kind, direction, beam, share, media, budget, wavelength, branch };
+            let (branch, lot) = (kind as u32, allotment.lot(0, share));
+            let offspring = Offspring { effect, kind, direction, beam, share, media, lot, wavelength, branch };
             components.reflected = self.look(ray, meeting, offspring, recorder);
         }
         for (number, Through { direction, indices, share, wavelength }) in (0..).zip(through) {
@@ -96,8 +93,8 @@ impl Tracer<'_> {
             let direction = surface.kept_inside(direction);
             let way = [ray.direction, direction];
             let beam = corners.as_deref().map(|corners| Beam::bent(corners, surface, way, indices));
-            let branch = kind as u32 + number * MOST_KINDS;
-            let offspring = Offspring { effect, kind, direction, beam, share, media, budget, wavelength, branch };
+            let (branch, lot) = (kind as u32 + number * MOST_KINDS, allotment.lot(1 + number as usize, share));
+            let offspring = Offspring { effect, kind, direction, beam, share, media, lot, wavelength, branch };
             components.transmitted += self.look(ray, meeting, offspring, recorder);
         }
     }
@@ -132,25 +129,28 @@ impl Tracer<'_> {
         recorder: &mut R,
     ) -> Rgb {
         let (kind, media) = (RayKind::Refracted, crossing.media_after(ray));
-        let budget = budget_for_each(ray, 1);
+        let lot = Lot::Sent(ray.budget.saturating_sub(1));
         let beam = self.corners(ray, surface).map(|corners| Beam::straight_on(&corners));
         let share = Rgb::ONE;
         let (effect, branch) = (Effect::Refraction, kind as u32);
         let (direction, wavelength) = (ray.direction, ray.wavelength);
-        let offspring = Offspring { effect, kind, direction, beam, share, media, budget, wavelength, branch };
+        let offspring = Offspring { effect, kind, direction, beam, share, media, lot, wavelength, branch };
         self.spawn(ray, surface, offspring, recorder)
     }
 
     /// Sends a ray from the surface and returns its colour times `share`, or black where a limit stops it.
     fn spawn<R: Recorder>(&self, parent: &Ray, surface: &Surface, offspring: Offspring, recorder: &mut R) -> Rgb {
-        let Offspring { effect, kind, direction, beam, share, media, budget, wavelength, branch } = offspring;
+        let Offspring { effect, kind, direction, beam, share, media, lot, wavelength, branch } = offspring;
+        lot.tell(kind, share, recorder);
+        let Some(factor) = lot.factor() else { return Rgb::ZERO };
+        let share = share * factor;
         let ray = Ray {
             kind,
             origin: surface.point,
             direction,
             depth: parent.depth + 1,
             weight: parent.weight * share.abs().max_element(),
-            budget: budget.unwrap_or(0),
+            budget: lot.budget(),
             departure: Some(Departure::new(surface, parent.direction, direction)),
             media,
             place: None,
@@ -160,17 +160,17 @@ impl Tracer<'_> {
             turns: parent.turns,
             stream: parent.stream.branch(branch),
         };
-        if self.stopped_by_a_limit(&ray, budget.is_none(), recorder) {
+        if self.stopped_by_a_limit(&ray, recorder) {
             return Rgb::ZERO;
         }
         recorder.count(Counter::Sent(effect));
         recorder.begin();
-        let colour = self.trace(&ray, recorder) * share;
+        let colour = self.trace_spawned(&ray, recorder) * share;
         recorder.end(|| self.describe_ray(&ray));
         colour
     }
 
-    pub(super) fn stopped_by_a_limit(&self, ray: &Ray, used_up: bool, recorder: &mut impl Recorder) -> bool {
+    pub(super) fn stopped_by_a_limit(&self, ray: &Ray, recorder: &mut impl Recorder) -> bool {
         let limits = self.scene.limits;
         let (limit, at, value) = if ray.depth > limits.depth {
             ("depth", f64::from(limits.depth), f64::from(ray.depth))
@@ -178,8 +178,6 @@ impl Tracer<'_> {
             ("turns", f64::from(MOST_TURNS), f64::from(ray.turns))
         } else if ray.weight < limits.contribution {
             ("contribution", limits.contribution, ray.weight)
-        } else if used_up {
-            ("rays", f64::from(MOST_RAYS), f64::from(MOST_RAYS))
         } else {
             return false;
         };

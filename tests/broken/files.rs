@@ -261,13 +261,13 @@ pub const FILES: &[Case] = &[
     Case {
         text: r#"{"limits": {"depth": 1000}}"#,
         place: "1:22 at limits.depth",
-        message: "expected a whole number from 0 to 50, found 1000",
+        message: "expected a whole number from 0 to 250, found 1000",
         help: "",
     },
     Case {
         text: r#"{"limits": {"depth": null}}"#,
         place: "1:22 at limits.depth",
-        message: "expected a whole number from 0 to 50, found null",
+        message: "expected a whole number from 0 to 250, found null",
         help: "",
     },
     Case {
