@@ -1,6 +1,6 @@
 //! Where stepping stops: questions that are asked of every event.
 
-use crate::query::{PRESETS, Query, QueryError};
+use crate::query::{PRESETS, Preset, Query, QueryError};
 use crate::record::EventId;
 use crate::trace::RayTree;
 
@@ -10,8 +10,8 @@ const OFFERED: [&str; 6] = ["tir", "deep", "early-out", "rejected", "undecidable
 /// A question with a switch.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Breakpoint {
-    /// What it is called, if it has a name.
-    pub title: Option<&'static str>,
+    /// What it is known as, if it is one of the questions that have names.
+    pub preset: Option<Preset>,
     /// The question.
     pub query: Query,
     /// Whether stepping stops where it holds.
@@ -29,10 +29,10 @@ pub struct Breakpoints {
 impl Default for Breakpoints {
     /// The questions that are asked most, all of them off.
     fn default() -> Self {
-        let offered = PRESETS.iter().filter(|preset| OFFERED.contains(&preset.key));
+        let offered = PRESETS.into_iter().filter(|preset| OFFERED.contains(&preset.key));
         let list = offered.filter_map(|preset| {
             let query = Query::parse(preset.query).ok()?;
-            Some(Breakpoint { title: Some(preset.title), query, enabled: false, hits: Vec::new() })
+            Some(Breakpoint { preset: Some(preset), query, enabled: false, hits: Vec::new() })
         });
         Self { list: list.collect() }
     }
@@ -56,7 +56,7 @@ impl Breakpoints {
             return Ok(());
         }
         let hits = tree.map(|tree| query.matches(tree).collect()).unwrap_or_default();
-        self.list.push(Breakpoint { title: None, query, enabled: true, hits });
+        self.list.push(Breakpoint { preset: None, query, enabled: true, hits });
         Ok(())
     }
 

@@ -4,7 +4,6 @@ use crate::app::frame::theme::Palette;
 use crate::app::frame::ticks;
 use crate::app::frame::words::{say, say_with};
 use crate::app::workbench::Workbench;
-use crate::query::PRESETS;
 use crate::story::Breakpoint;
 use egui::{Align, Color32, Key, Label, Layout, RichText, TextEdit, TextStyle, TextWrapMode, Ui, vec2};
 
@@ -31,8 +30,7 @@ pub fn ui(ui: &mut Ui, workbench: &mut Workbench) {
 
 fn line(ui: &mut Ui, place: usize, breakpoint: &Breakpoint) -> Option<Change> {
     let question = breakpoint.query.to_string();
-    let preset = PRESETS.iter().find(|preset| breakpoint.title == Some(preset.title));
-    let name = preset.map_or_else(|| question.clone(), |preset| say(ui.ctx(), &preset.word()));
+    let name = breakpoint.preset.map_or_else(|| question.clone(), |preset| say(ui.ctx(), &preset.word()));
     let mut change = None;
     let height = ui.spacing().interact_size.y;
     // From the right, so that the name has the room that the others leave.
