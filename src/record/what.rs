@@ -400,7 +400,7 @@ pub enum What {
         at: f64,
         /// The number that met it.
         value: f64,
-        /// What is therefore missing.
+        /// What is therefore missing, or stands for what is.
         consequence: String,
     },
     /// The colour that a ray brings back, as the sum of its five components.
