@@ -7,9 +7,10 @@ use super::wide_union::WideUnion;
 use super::{Boundary, Course, Enclosure, Extent, IntervalList, Leaf, Node, Solid};
 use crate::math::{Alone, DoubleDouble, Precise, Real};
 use crate::record::{Counter, NullRecorder, Operator, Recorder, Sense};
-use crate::shape::{Crossings, Method, Primitive, Solving};
+use crate::shape::textbook::Exhibit;
+use crate::shape::{Crossings, Method, Primitive};
 use smallvec::SmallVec;
-use std::cell::{Cell, RefCell};
+use std::cell::Cell;
 
 /// One ray's way through the tree.
 pub(super) struct Query<'a> {
@@ -20,17 +21,23 @@ pub(super) struct Query<'a> {
     /// Boundaries of two operands that could not be told apart: the first that were met.
     tie: Cell<Option<Tie>>,
     /// The leaves that are asked with 32 digits.
-    widened: RefCell<SmallVec<[usize; 4]>>,
+    widened: &'a [usize],
 }
 
 impl<'a> Query<'a> {
     pub fn new(solid: &'a Solid, course: &'a Course) -> Self {
-        Self { solid, course, is_met: false, tie: Cell::new(None), widened: RefCell::new(SmallVec::new()) }
+        Self { solid, course, is_met: false, tie: Cell::new(None), widened: &[] }
     }
 
     /// For a ray that is known to meet the box of the whole solid, or not known to.
     pub fn with_box_met(self, is_met: bool) -> Self {
         Self { is_met, ..self }
+    }
+
+    /// The same with 32 digits for these leaves.
+    fn widening<'b>(&'b self, leaves: &'b [usize]) -> Query<'b> {
+        let Self { solid, course, is_met, .. } = *self;
+        Query { solid, course, is_met, tie: Cell::new(None), widened: leaves }
     }
 
     /// The whole tree, in the way that the course says.
@@ -85,16 +92,18 @@ impl<'a> Query<'a> {
     #[inline(never)]
     fn untied<A: Real, R: Recorder>(&self, first: &Tie, recorder: &mut R) -> IntervalList {
         let mut open = first.clone();
+        let mut widened: SmallVec<[usize; 4]> = SmallVec::new();
         let (list, last) = loop {
-            self.widened.borrow_mut().extend(open.leaves);
-            let list = self.tried::<A, R>(recorder);
-            match self.tie.take() {
-                Some(other) if self.is_open(&other) => open = other,
+            widened.extend(open.leaves);
+            let query = self.widening(&widened);
+            let list = query.tried::<A, R>(recorder);
+            match query.tie.take() {
+                Some(other) if query.is_open(&other) => open = other,
                 last => break (list, last),
             }
         };
         if R::RECORDING {
-            self.node::<A, R>(self.solid.root(), recorder);
+            self.widening(&widened).node::<A, R>(self.solid.root(), recorder);
         }
         recorder.note(|| report::tie::<A>(first, last.as_ref()));
         list
@@ -176,8 +185,7 @@ impl<'a> Query<'a> {
 
     /// Whether more digits may tell boundaries apart that are tied.
     fn is_open(&self, tie: &Tie) -> bool {
-        let widened = self.widened.borrow();
-        tie.leaves.iter().any(|leaf| !widened.contains(leaf))
+        tie.leaves.iter().any(|leaf| !self.widened.contains(leaf))
     }
 
     fn leaf<A: Real, R: Recorder>(&self, index: usize, enclosure: &Enclosure, recorder: &mut R) -> IntervalList {
@@ -185,13 +193,26 @@ impl<'a> Query<'a> {
         let list = |recorder: &mut R| {
             if !self.meets(&leaf.name, enclosure, recorder) {
                 IntervalList::default()
-            } else if !A::FINEST && self.widened.borrow().contains(&index) {
-                self.primitive::<DoubleDouble, R>(index, leaf, &enclosure.extent, recorder)
+            } else if !A::FINEST && self.widened.contains(&index) {
+                self.widened_primitive(index, leaf, &enclosure.extent, recorder)
             } else {
                 self.primitive::<A, R>(index, leaf, &enclosure.extent, recorder)
             }
         };
         recorder.event(list, |list| report::primitive(leaf, index, list))
+    }
+
+    // Out of line, as are the exhibits: few rays need it, and all would make room for it.
+    #[cold]
+    #[inline(never)]
+    fn widened_primitive<R: Recorder>(
+        &self,
+        index: usize,
+        leaf: &Leaf,
+        extent: &Extent,
+        recorder: &mut R,
+    ) -> IntervalList {
+        self.primitive::<DoubleDouble, R>(index, leaf, extent, recorder)
     }
 
     /// The primitive's own list: the ray in generic coordinates, its crossings, and the intervals between them.
@@ -208,7 +229,7 @@ impl<'a> Query<'a> {
         recorder.note(|| report::transform(leaf, self.course.line, ray.shown(is_measuring)));
         let mut crossings = Crossings::new();
         if let Some(exhibit) = self.course.solving.exhibit(&leaf.shape) {
-            exhibit.crossings(&leaf.shape, &leaf.placement.generic_ray(&self.course.line), recorder, &mut crossings);
+            self.exhibited(exhibit, leaf, recorder, &mut crossings);
         } else if R::RECORDING {
             leaf.shape.crossings(&ray, recorder, &mut crossings);
         } else {
@@ -219,6 +240,12 @@ impl<'a> Query<'a> {
             return IntervalList::starting(true);
         }
         IntervalList::of_crossings(index, &crossings)
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn exhibited(&self, exhibit: Exhibit, leaf: &Leaf, recorder: &mut impl Recorder, crossings: &mut Crossings) {
+        exhibit.crossings(&leaf.shape, &leaf.placement.generic_ray(&self.course.line), recorder, crossings);
     }
 
     /// The first crossing of a primitive with t > 0: what is first in its interval list too.
@@ -234,10 +261,7 @@ impl<'a> Query<'a> {
         }
         recorder.count(Counter::ShapeTest(leaf.shape.index()));
         let approach = PlacedRay { placement: &leaf.placement, line: &self.course.line };
-        let first = match self.course.solving {
-            Solving::STANDARD => leaf.shape.first_crossing::<f64>(&approach),
-            solving => solving.first_crossing(&leaf.shape, &approach),
-        }?;
+        let first = self.course.solving.first_crossing(&leaf.shape, &approach)?;
         Some((Boundary::of_crossing(index, &first), first.sense))
     }
 

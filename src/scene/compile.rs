@@ -5,7 +5,7 @@ use super::camera::{Image, Sampling};
 use super::camera_reader::{camera, lens, sampling};
 use super::coat_reader::CoatReader;
 use super::diagnostics::Diagnostics;
-use super::effects::{ALL_EFFECTS, Effects, Reason, reasons};
+use super::effects::{Effects, Reason, reasons};
 use super::file::{LimitsFile, MOST_PIXELS, MaterialFile, MediaFile, SceneFile, scene_schema};
 use super::files::{EmbeddedFiles, Files};
 use super::glass_reader::{check_materials, dispersion, medium, split};
@@ -20,7 +20,6 @@ use super::reading::read_checked;
 use super::rules::Rules;
 use super::solids::{Around, Cover, SolidReader, find_circles, place_of};
 use crate::optics::YELLOW;
-use crate::record::Effect;
 use crate::shape::Solving;
 use glam::DVec3;
 use serde_json::{Map, Value};
@@ -106,8 +105,8 @@ fn compile(file: SceneFile, files: &dyn Files, problems: &mut Problems) -> Optio
 
 /// A build without effects cannot render what calls for them.
 fn refuse_what_is_left_out(reasons: &[Reason], problems: &mut Problems) {
-    let is_left_out = |reason: &&Reason| reason.called_for && reason.effect != Effect::Shadows;
-    for Reason { effect, why, .. } in reasons.iter().filter(|_| !ALL_EFFECTS).filter(is_left_out) {
+    let is_left_out = |reason: &&Reason| reason.called_for && !Effects::BUILT.has(reason.effect);
+    for Reason { effect, why, .. } in reasons.iter().filter(is_left_out) {
         let message = format!("this build leaves {} out, and the scene calls for it ({why})", effect.name());
         problems.add(Path::Root, message).help("build without the feature `bare`");
     }

@@ -5,10 +5,6 @@ use crate::record::Effect;
 use crate::sample::Aperture;
 use serde::{Deserialize, Serialize};
 
-/// Whether this build has all effects. The one with the feature `bare` has only shadows: it is there to measure what the
-/// others cost a scene that does not call for them.
-pub const ALL_EFFECTS: bool = !cfg!(feature = "bare");
-
 /// An effect, and what calls for it.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Reason {
@@ -35,6 +31,13 @@ impl Effects {
     /// All effects.
     pub const ALL: Self = Self((1 << Effect::ALL.len()) - 1);
 
+    /// What scenes of opaque, dull surfaces call for.
+    pub const PLAIN: Self = Self(0).with(Effect::Shadows);
+
+    /// Those that this build has. The one with the feature `bare` has the plain ones alone: it is there to measure what the others
+    /// cost a scene that does not call for them.
+    pub const BUILT: Self = if cfg!(feature = "bare") { Self::PLAIN } else { Self::ALL };
+
     /// What makes surfaces send rays on.
     pub const SENDING: Self = Self(0).with(Effect::Reflection).with(Effect::Refraction).with(Effect::Fresnel);
 
@@ -50,6 +53,13 @@ impl Effects {
     #[must_use]
     pub const fn meets(self, other: Self) -> bool {
         self.0 & other.0 != 0
+    }
+
+    /// Whether all of the set are in the other one.
+    #[inline]
+    #[must_use]
+    pub const fn are_within(self, other: Self) -> bool {
+        self.apart_from(other).0 == 0
     }
 
     /// The same set without an effect.

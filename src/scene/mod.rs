@@ -50,7 +50,7 @@ pub use coat::{Bumps, Coat, GrainCoat, LeafCoat, MovingTexture, Texture, mapped_
 pub use compile::{load, load_with};
 pub use detail::Detail;
 pub use diagnostics::{Diagnostic, Diagnostics};
-pub use effects::{ALL_EFFECTS, Effects, Reason, reasons};
+pub use effects::{Effects, Reason, reasons};
 pub use embedded::{EmbeddedScene, embedded_scene, embedded_scenes};
 pub use file::{
     Ambient, Background, Colour, ImageFile, LimitsFile, MOST_PIXELS, MaterialFile, MediaFile, MirrorsFile, SceneFile,

@@ -96,20 +96,29 @@ impl Solving {
     }
 
     /// The first crossing with t > 0, and nothing about it told.
-    // Out of line: what renders pictures every day is not to grow by what experiments ask for.
-    #[inline(never)]
+    #[inline]
     pub fn first_crossing(self, shape: &Shape, approach: &impl Approach) -> Option<Crossing> {
-        if let Some(exhibit) = self.exhibit(shape) {
-            let mut crossings = Crossings::new();
-            exhibit.crossings(shape, &approach.generic(), &mut NullRecorder, &mut crossings);
-            return crossings.into_iter().find(|crossing| crossing.t > 0.0);
-        }
-        match self.method {
-            Method::Single => shape.first_crossing::<Alone<f32>>(approach),
-            Method::Double | Method::Textbook => shape.first_crossing::<Alone<f64>>(approach),
-            Method::Adaptive => shape.first_crossing::<f64>(approach),
-            Method::DoubleDouble => shape.first_crossing::<DoubleDouble>(approach),
-            Method::Exact => shape.first_crossing::<Precise>(approach),
+        match (self.exhibit(shape), self.method) {
+            (Some(exhibit), _) => exhibited(exhibit, shape, approach),
+            (None, Method::Adaptive) => shape.first_crossing::<f64>(approach),
+            (None, Method::Single) => out_of_line::<Alone<f32>>(shape, approach),
+            (None, Method::Double | Method::Textbook) => out_of_line::<Alone<f64>>(shape, approach),
+            (None, Method::DoubleDouble) => out_of_line::<DoubleDouble>(shape, approach),
+            (None, Method::Exact) => out_of_line::<Precise>(shape, approach),
         }
     }
+}
+
+/// The first crossing by one of the textbook's solvers.
+#[inline(never)]
+fn exhibited(exhibit: Exhibit, shape: &Shape, approach: &impl Approach) -> Option<Crossing> {
+    let mut crossings = Crossings::new();
+    exhibit.crossings(shape, &approach.generic(), &mut NullRecorder, &mut crossings);
+    crossings.into_iter().find(|crossing| crossing.t > 0.0)
+}
+
+/// The first crossing in an arithmetic that only experiments ask for: what renders pictures every day is not to grow by it.
+#[inline(never)]
+fn out_of_line<A: Real>(shape: &Shape, approach: &impl Approach) -> Option<Crossing> {
+    shape.first_crossing::<A>(approach)
 }

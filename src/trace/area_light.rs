@@ -1,5 +1,6 @@
 //! Lights that have a size: shadow rays to several of their points, so that a surface may see a light in part.
 
+use super::calls::Repertoire;
 use super::light::Shaded;
 use super::ray::Tracer;
 use super::shadow::Way;
@@ -15,7 +16,7 @@ struct Sums {
     specular: Rgb,
 }
 
-impl Tracer<'_> {
+impl<E: Repertoire> Tracer<'_, E> {
     /// Diffuse and specular term of a light that has a size: the means over its points.
     #[inline(never)]
     pub(super) fn area_light<R: Recorder>(

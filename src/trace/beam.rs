@@ -9,6 +9,7 @@
 //! 1974, § 5), carried along as in H. Igehy, Tracing Ray Differentials (SIGGRAPH 1999), but by whole rays and not by their
 //! derivatives, so that footprints on flat surfaces and in flat mirrors are exact.
 
+use super::calls::Repertoire;
 use super::closest::Surface;
 use super::ray::{Ray, Tracer};
 use crate::optics::{reflect, refract};
@@ -98,7 +99,7 @@ impl Corner {
     }
 }
 
-impl Tracer<'_> {
+impl<E: Repertoire> Tracer<'_, E> {
     /// Where the corners of a ray's pixel meet the surface that the ray met; none for rays without a beam.
     pub(super) fn corners(&self, ray: &Ray, surface: &Surface) -> Option<Corners> {
         let beam = ray.beam.as_ref()?;

@@ -3,20 +3,43 @@
 use super::ray::Tracer;
 use crate::csg::Boundary;
 use crate::record::{Counter, Effect, Recorder};
-use crate::scene::{ALL_EFFECTS, Detail, Effects};
+use crate::scene::{Detail, Effects};
 use glam::{DVec2, DVec3};
 
-impl Tracer<'_> {
+/// The effects that a tracer has code for. Not every combination is compiled: a picture is traced with the smallest repertoire
+/// that holds what its scene calls for.
+pub trait Repertoire: Copy + Sync {
+    /// The set.
+    const EFFECTS: Effects;
+}
+
+/// All effects of this build.
+#[derive(Clone, Copy, Debug)]
+pub struct Every;
+
+impl Repertoire for Every {
+    const EFFECTS: Effects = Effects::BUILT;
+}
+
+/// Shadows alone: a scene that calls for nothing else does not even pay for being asked.
+#[derive(Clone, Copy, Debug)]
+pub struct Plain;
+
+impl Repertoire for Plain {
+    const EFFECTS: Effects = Effects::PLAIN;
+}
+
+impl<E: Repertoire> Tracer<'_, E> {
     /// Whether the scene calls for an effect. Each effect asks this before anything else.
     #[inline]
     pub(super) const fn calls_for(&self, effect: Effect) -> bool {
-        (ALL_EFFECTS || matches!(effect, Effect::Shadows)) && self.scene.effects.has(effect)
+        E::EFFECTS.has(effect) && self.scene.effects.has(effect)
     }
 
     /// Whether the scene calls for any of these effects.
     #[inline]
     pub(super) const fn calls_for_any(&self, effects: Effects) -> bool {
-        ALL_EFFECTS && self.scene.effects.meets(effects)
+        E::EFFECTS.meets(effects) && self.scene.effects.meets(effects)
     }
 
     /// The code of an effect is entered.

@@ -1,5 +1,6 @@
 //! Steps 2 to 4 of § 6.1: all intersections, the closest one in front, and the hit point.
 
+use super::calls::Repertoire;
 use super::departure::Ahead;
 use super::ray::{Ray, Tracer};
 use crate::csg::{Boundary, Course, Extent, IntervalList, Leaf};
@@ -74,7 +75,7 @@ impl Surface {
     }
 }
 
-impl Tracer<'_> {
+impl<E: Repertoire> Tracer<'_, E> {
     /// The object's leaf that a boundary lies on.
     #[must_use]
     pub fn leaf(&self, object: usize, boundary: &Boundary) -> &Leaf {

@@ -8,6 +8,7 @@
 //! **Surfaces without an inside.** Varnish on an opaque object, and glass that has no thickness, mirror by the index of their
 //! material against the medium outside; what goes through them is not bent.
 
+use super::calls::Repertoire;
 use super::media::MediaCrossing;
 use super::ray::{Ray, Tracer};
 use super::spawn::Meeting;
@@ -93,7 +94,7 @@ impl Weights {
     }
 }
 
-impl Tracer<'_> {
+impl<E: Repertoire> Tracer<'_, E> {
     /// What becomes of a ray's light where it meets a surface.
     pub(super) fn divide<R: Recorder>(
         &self,

@@ -2,6 +2,7 @@
 //! colour. Where a material carries nothing, nothing of this is asked.
 
 use super::beam::Corner;
+use super::calls::Repertoire;
 use super::closest::Surface;
 use super::ray::Tracer;
 use crate::record::{self, Effect, Entry, Recorder, What};
@@ -22,7 +23,7 @@ pub(super) struct Finish<'a> {
     pub grain: Option<(Frame, [f64; 2])>,
 }
 
-impl<'a> Tracer<'a> {
+impl<'a, E: Repertoire> Tracer<'a, E> {
     /// Finishes the surface: gives it the normal that shading uses, and returns its colours.
     pub(super) fn finish<R: Recorder>(
         &self,

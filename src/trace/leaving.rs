@@ -1,5 +1,6 @@
 //! One ray at a time, for those who watch how rays leave surfaces: the tracer's own steps, without colours.
 
+use super::calls::Repertoire;
 use super::closest::Surface;
 use super::departure::Departure;
 use super::ray::{Ray, Tracer};
@@ -7,7 +8,7 @@ use crate::csg::Boundary;
 use crate::record::{NullRecorder, RayKind, Sense};
 use glam::DVec3;
 
-impl Tracer<'_> {
+impl<E: Repertoire> Tracer<'_, E> {
     /// The surface that a ray meets first, as steps 2 to 4 find it.
     #[must_use]
     pub fn first_surface(&self, ray: &Ray) -> Option<Surface> {

@@ -7,6 +7,7 @@
 //! the circle of confusion; R. Cook, T. Porter, L. Carpenter, Distributed Ray Tracing (SIGGRAPH 1984), for the rays.
 
 use super::beam::Beam;
+use super::calls::Repertoire;
 use super::closest::Surface;
 use super::pixel::{Aim, frame_bindings, place_lines};
 use super::ray::{Ray, Tracer};
@@ -15,7 +16,7 @@ use crate::sample::{Aperture, Purpose};
 use crate::scene::{Glance, Lens};
 use glam::DVec3;
 
-impl<'a> Tracer<'a> {
+impl<'a, E: Repertoire> Tracer<'a, E> {
     /// The lens, where the scene calls for one.
     pub(super) fn lens(&self) -> Option<&'a Lens> {
         let scene = self.scene;

@@ -1,5 +1,6 @@
 //! The ambient, diffuse and specular terms.
 
+use super::calls::Repertoire;
 use super::closest::Surface;
 use super::departure::Departure;
 use super::finish::Finish;
@@ -29,7 +30,7 @@ pub(super) struct Terms {
     highlight: Option<Highlight>,
 }
 
-impl Tracer<'_> {
+impl<E: Repertoire> Tracer<'_, E> {
     /// Adds the terms that come straight from the lights.
     pub(super) fn add_lights<R: Recorder>(
         &self,

@@ -1,5 +1,6 @@
 //! Which medium a ray travels in, and what a boundary changes about it (§ 6.4.1, design policies 1 and 2).
 
+use super::calls::Repertoire;
 use super::closest::{Closest, Surface};
 use super::departure::{blur, widest_blur};
 use super::ray::{Ray, Tracer};
@@ -32,7 +33,7 @@ impl MediaCrossing {
     }
 }
 
-impl Tracer<'_> {
+impl<E: Repertoire> Tracer<'_, E> {
     /// The transparent objects that the eye is inside, in the order in which a ray from far behind it entered them.
     pub(super) fn media_around(&self, eye: DVec3, direction: DVec3) -> MediaStack {
         let index = &self.scene.index;

@@ -36,6 +36,7 @@ mod tally;
 mod tree;
 
 pub use beam::Beam;
+pub use calls::{Every, Plain, Repertoire};
 pub use closest::Surface;
 pub use departure::{Ahead, Departure};
 pub use digest::digests;

@@ -5,6 +5,7 @@
 //! at all once a nearer hit is known. Both give the same answer, bit for bit: boxes never lose a hit, and of hits with
 //! the same time the object list decides.
 
+use super::calls::Repertoire;
 use super::closest::Closest;
 use super::departure::Ahead;
 use super::ray::{Ray, Tracer};
@@ -13,7 +14,7 @@ use crate::csg::{Boundary, Course};
 use crate::record::{Recorder, Sense};
 use crate::scene::{Candidate, Glance};
 
-impl Tracer<'_> {
+impl<E: Repertoire> Tracer<'_, E> {
     /// The closest boundary in front of the ray's start.
     pub(super) fn nearest<R: Recorder>(&self, ray: &Ray, recorder: &mut R) -> Option<Closest> {
         let course = self.course(ray);

@@ -1,6 +1,7 @@
 //! Design policy 1: transparent objects may not fill the same space (§ 6.4.1). Where two do, that is reported: which, between
 //! which hit times, and at which pixel.
 
+use super::calls::Repertoire;
 use super::closest::Surface;
 use super::media::MediaCrossing;
 use super::ray::{Ray, Tracer};
@@ -70,7 +71,7 @@ impl Overlaps {
     }
 }
 
-impl Tracer<'_> {
+impl<E: Repertoire> Tracer<'_, E> {
     /// Reports the transparent objects that the ray is inside already where it comes into another one.
     pub(super) fn report_overlaps<R: Recorder>(
         &self,

@@ -1,6 +1,7 @@
 //! One pixel: the six steps of § 6.1 in their order.
 
 use super::beam::Beam;
+use super::calls::Repertoire;
 use super::encoding::srgb;
 use super::ray::{Ray, Tracer, describe_step};
 use super::tree::{RayTree, TreeRecorder};
@@ -15,7 +16,16 @@ pub fn trace_pixel(scene: &Scene, x: u32, y: u32, recorder: &mut impl Recorder) 
 }
 
 /// The same with a tracer that is there.
-pub fn trace_pixel_with(tracer: &Tracer, x: u32, y: u32, recorder: &mut impl Recorder) -> Rgb {
+pub fn trace_pixel_with<R: Recorder>(tracer: &Tracer, x: u32, y: u32, recorder: &mut R) -> Rgb {
+    match tracer.plain() {
+        // What is told does not depend on it, and one copy of the code that tells is enough.
+        Some(plain) if !R::RECORDING => trace_pixel_as(&plain, [x, y], recorder),
+        _ => trace_pixel_as(tracer, [x, y], recorder),
+    }
+}
+
+/// The same with the effects of a repertoire.
+fn trace_pixel_as<E: Repertoire>(tracer: &Tracer<E>, [x, y]: [u32; 2], recorder: &mut impl Recorder) -> Rgb {
     let scene = tracer.scene;
     recorder.begin();
     let stream = Stream::of_pixel([x, y], scene.sampling.seed);
@@ -75,7 +85,7 @@ impl Aim {
     }
 }
 
-impl Tracer<'_> {
+impl<E: Repertoire> Tracer<'_, E> {
     /// Step 1: the ray from the eye through a point of the picture.
     #[inline(always)]
     pub(super) fn build_ray(&self, aim: &Aim, recorder: &mut impl Recorder) -> Ray {

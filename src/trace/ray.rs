@@ -1,6 +1,7 @@
 //! A ray and the one function that finds the colour that it brings back.
 
 use super::beam::Beam;
+use super::calls::{Every, Plain, Repertoire};
 use super::closest::Surface;
 use super::departure::{Ahead, Departure};
 use super::spawn::Meeting;
@@ -10,6 +11,7 @@ use crate::record::{Counter, Effect, Entry, RayKind, Recorder, What};
 use crate::sample::Stream;
 use crate::scene::{Glance, Rgb, Scene, Shortcuts, Sights};
 use glam::DVec3;
+use std::marker::PhantomData;
 
 /// A ray P(t) = origin + direction t in world space.
 #[derive(Clone, Debug)]
@@ -109,13 +111,14 @@ impl Ray {
     }
 }
 
-/// Traces rays through a scene.
+/// Traces rays through a scene, with code for the effects of a repertoire.
 #[derive(Clone, Copy, Debug)]
-pub struct Tracer<'a> {
+pub struct Tracer<'a, E = Every> {
     /// The scene.
     pub scene: &'a Scene,
     /// What the eye and the lights see, if that was worked out.
     pub(super) sights: Option<&'a Sights>,
+    repertoire: PhantomData<E>,
 }
 
 /// The five components of the light that a ray brings back: I = I_amb + I_diff + I_spec + I_refl + I_tran (§ 6.4).
@@ -158,10 +161,10 @@ impl Components {
 }
 
 impl<'a> Tracer<'a> {
-    /// A tracer of this scene.
+    /// A tracer of this scene, for whatever it calls for.
     #[must_use]
     pub const fn new(scene: &'a Scene) -> Self {
-        Self { scene, sights: None }
+        Self { scene, sights: None, repertoire: PhantomData }
     }
 
     /// The same tracer, for many rays: it looks up what the eye and the lights see.
@@ -170,6 +173,19 @@ impl<'a> Tracer<'a> {
         Self { sights: Some(sights), ..self }
     }
 
+    /// The same tracer without code for anything but the plain effects; none where the scene calls for others.
+    #[inline]
+    pub(super) const fn plain(&self) -> Option<Tracer<'a, Plain>> {
+        let Self { scene, sights, .. } = *self;
+        if scene.effects.are_within(Plain::EFFECTS) {
+            Some(Tracer { scene, sights, repertoire: PhantomData })
+        } else {
+            None
+        }
+    }
+}
+
+impl<E: Repertoire> Tracer<'_, E> {
     /// The colour that comes back along the ray: steps 2 to 5 of § 6.1, for camera rays and for spawned ones alike.
     pub fn trace<R: Recorder>(&self, ray: &Ray, recorder: &mut R) -> Rgb {
         recorder.count(Counter::Ray(ray.kind));

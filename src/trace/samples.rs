@@ -1,5 +1,6 @@
 //! Several samples of a pixel: a ray for each, and the mean of what they bring back.
 
+use super::calls::Repertoire;
 use super::pixel::Aim;
 use super::ray::Tracer;
 use crate::record::{Average, Counter, Effect, Entry, Recorder, Sample, What};
@@ -103,7 +104,7 @@ impl Stop {
     }
 }
 
-impl Tracer<'_> {
+impl<E: Repertoire> Tracer<'_, E> {
     /// Whether pixels are sampled, and not looked at through their centres alone.
     pub(super) fn takes_samples(&self) -> bool {
         self.takes_several() || self.lens().is_some()

@@ -5,6 +5,7 @@
 //! is turned. At each such point every light is asked, as at a surface. Where the medium turns light more than once, the path goes on from there in a
 //! direction by the phase function; else only lights are seen by it, and neither surfaces nor surroundings.
 
+use super::calls::Repertoire;
 use super::ray::{Ray, Tracer};
 use super::segment::Stretch;
 use super::shadow::{Start, Way};
@@ -41,7 +42,7 @@ struct Turn<'a> {
     budget: u32,
 }
 
-impl Tracer<'_> {
+impl<E: Repertoire> Tracer<'_, E> {
     /// Lets chance choose where on the stretch light is turned, and asks there for light.
     pub(super) fn turned_on<R: Recorder>(
         &self,

@@ -1,5 +1,6 @@
 //! What media take away from light on its way: Bouguer's, Lambert's and Beer's law along rays from the eye and towards lights.
 
+use super::calls::Repertoire;
 use super::closest::Surface;
 use super::ray::{Ray, Tracer};
 use super::scatter::Turned;
@@ -38,7 +39,7 @@ impl<'a> Stretch<'a> {
     }
 }
 
-impl<'a> Tracer<'a> {
+impl<'a, E: Repertoire> Tracer<'a, E> {
     /// The medium that the ray travels in, where it takes light away.
     pub(super) fn filling(&self, ray: &Ray) -> Option<Filling<'a>> {
         if !self.calls_for(Effect::Attenuation) {

@@ -1,5 +1,6 @@
 //! Shadow rays: what arrives from a light at a point, be it on a surface or in a medium.
 
+use super::calls::Repertoire;
 use super::departure::{Ahead, Departure};
 use super::ray::{Ray, Tracer};
 use crate::record::{Counter, Effect, Entry, RayKind, Recorder, What};
@@ -75,7 +76,7 @@ impl Shade {
     }
 }
 
-impl Tracer<'_> {
+impl<E: Repertoire> Tracer<'_, E> {
     /// The share of a light that arrives, by colour: a shadow ray, stopped by the first opaque object. Each surface
     /// of a transparent object passes its transparency, as it does for a ray from the eye; shadow rays are not bent.
     #[inline(always)]

@@ -2,6 +2,7 @@
 
 use super::allotment::{Allotment, Lot};
 use super::beam::{Beam, Corners};
+use super::calls::Repertoire;
 use super::closest::Surface;
 use super::departure::Departure;
 use super::division::{Division, Through};
@@ -40,7 +41,7 @@ struct Offspring {
 /// At least as many as there are kinds of rays.
 const MOST_KINDS: u32 = 256;
 
-impl Tracer<'_> {
+impl<E: Repertoire> Tracer<'_, E> {
     /// Adds what comes back along the reflected and the transmitted ray.
     #[inline(always)]
     pub(super) fn add_spawned<R: Recorder>(
