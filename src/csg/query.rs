@@ -202,6 +202,7 @@ impl<'a> Query<'a> {
         recorder.event(list, |list| report::primitive(leaf, index, list))
     }
 
+    /// The same list with 32 digits.
     // Out of line, as are the exhibits: few rays need it, and all would make room for it.
     #[cold]
     #[inline(never)]
@@ -242,6 +243,7 @@ impl<'a> Query<'a> {
         IntervalList::of_crossings(index, &crossings)
     }
 
+    /// The crossings by one of the textbook's solvers.
     #[cold]
     #[inline(never)]
     fn exhibited(&self, exhibit: Exhibit, leaf: &Leaf, recorder: &mut impl Recorder, crossings: &mut Crossings) {

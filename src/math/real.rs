@@ -181,13 +181,11 @@ impl Real for f32 {
 }
 
 /// The scalar product.
-#[inline]
 pub fn dot<A: Real>(a: [A; 3], b: [A; 3]) -> A {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
 /// The vector product.
-#[inline]
 pub fn cross<A: Real>(a: [A; 3], b: [A; 3]) -> [A; 3] {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
