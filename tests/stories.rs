@@ -3,6 +3,7 @@
 use rayscope::record::{Event, EventId, NullRecorder, Operator, RayKind, What};
 use rayscope::scene::{Scene, embedded_scene, load};
 use rayscope::trace::{RayTree, record_pixel, trace_pixel};
+use serde_json::json;
 
 fn scene(name: &str) -> Scene {
     let embedded = embedded_scene(name).unwrap_or_else(|| panic!("no scene {name}"));
@@ -139,24 +140,37 @@ fn rays_that_double_at_every_hit_end_at_a_stated_number() {
     assert!(tree.events.iter().any(|event| matches!(&event.what, What::Limit { limit, .. } if limit == "rays")));
 }
 
-#[test]
-fn as_deep_as_a_scene_may_ask_a_room_of_mirrors_gives_the_sum_of_the_series() {
-    // Every wall gives 0.02 of its own and mirrors 0.98 of what it sees: 1 − 0.98²⁵¹ after 250 reflections.
-    let room = r#"{
+/// A closed room whose walls mirror all but a small share of what they see, and give as much of their own.
+fn room_of_mirrors(share: f64, depth: u32) -> Scene {
+    let own = [share; 3];
+    let room = json!({
         "camera": {"eye": [0.1, 0.2, 0.3], "look_at": [1, 0.3, 0.2]},
         "image": {"width": 3, "height": 2},
         "ambient": [1, 1, 1],
-        "limits": {"depth": 250, "contribution": 0},
-        "materials": {"mirror": {"ambient": [0.02, 0.02, 0.02], "diffuse": [0, 0, 0], "reflectivity": 0.98}},
+        "limits": { "depth": depth, "contribution": 0 },
+        "materials": {"mirror": {"ambient": own, "diffuse": [0, 0, 0], "reflectivity": 1.0 - share}},
         "objects": [{"shape": "cube", "material": "mirror", "transform": [{"scale": 3}]}]
-    }"#;
-    let scene = load(room, "a room of mirrors").unwrap_or_else(|errors| panic!("{errors}"));
-    let expected = 1.0 - 0.98_f64.powi(251);
+    });
+    load(&room.to_string(), "a room of mirrors").unwrap_or_else(|errors| panic!("{errors}"))
+}
+
+#[test]
+fn as_deep_as_a_scene_may_ask_a_room_of_mirrors_gives_the_sum_of_the_series() {
+    // 1 − (1 − s)ⁿ⁺¹ after n reflections. Each of them rounds, and each rounding counts for the less the deeper it lies.
+    for (share, depth) in [(0.02_f64, 250), (2e-5, 100_000)] {
+        let expected = 1.0 - (1.0 - share).powf(f64::from(depth + 1));
+        let found = trace_pixel(&room_of_mirrors(share, depth), 1, 1, &mut NullRecorder).x;
+        assert!((found - expected).abs() < 1e-11, "{found} is not {expected} after {depth} reflections");
+    }
+}
+
+#[test]
+fn a_path_of_ten_thousand_reflections_is_told_from_end_to_end() {
+    let scene = room_of_mirrors(2e-4, 10_000);
     let tree = record_pixel(&scene, 1, 1);
     let rays = count(&tree, |what| matches!(what, What::Ray { ray: RayKind::Reflected, .. }));
-    assert_eq!(rays, 250);
-    let found = trace_pixel(&scene, 1, 1, &mut NullRecorder).x;
-    assert!((found - expected).abs() < 1e-14, "{found} is not {expected}");
+    assert_eq!(rays, 10_000);
+    assert!((tree.colour()[0] - (1.0 - (1.0_f64 - 2e-4).powi(10_001))).abs() < 1e-11);
 }
 
 #[test]

@@ -215,7 +215,8 @@ pub enum MediaFile {
 #[schemars(deny_unknown_fields)]
 pub struct LimitsFile {
     /// How many rays away from the camera ray a ray may be.
-    #[schemars(range(max = 250))]
+    // Light that glass has caught seldom goes round more often. A path of this length takes a tenth of a second and 70 MB.
+    #[schemars(range(max = 100000))]
     pub depth: u32,
     /// Rays whose colour would count less than this in the pixel are not followed.
     #[schemars(range(min = 0.0, max = 1.0))]

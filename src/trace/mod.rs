@@ -23,6 +23,7 @@ mod media;
 mod nearest;
 mod one_thread;
 mod overlap;
+mod path;
 mod picture;
 mod pixel;
 mod ray;

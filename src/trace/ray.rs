@@ -4,6 +4,7 @@ use super::beam::Beam;
 use super::calls::{Every, Plain, Repertoire};
 use super::closest::Surface;
 use super::departure::{Ahead, Departure};
+use super::path::Answer;
 use super::spawn::Meeting;
 use crate::csg::{Course, IntervalList, Solid};
 use crate::optics::MediaStack;
@@ -136,7 +137,7 @@ impl Components {
         self.ambient + self.diffuse + self.specular + self.reflected + self.transmitted
     }
 
-    fn describe(&self) -> Entry {
+    pub fn describe(&self) -> Entry {
         Entry::new(What::Colour {
             ambient: self.ambient.to_array(),
             diffuse: self.diffuse.to_array(),
@@ -185,9 +186,30 @@ impl<'a> Tracer<'a> {
     }
 }
 
-impl<E: Repertoire> Tracer<'_, E> {
+impl<'a, E: Repertoire> Tracer<'a, E> {
     /// The colour that comes back along the ray: steps 2 to 5 of § 6.1, for camera rays and for spawned ones alike.
     pub fn trace<R: Recorder>(&self, ray: &Ray, recorder: &mut R) -> Rgb {
+        let mut surface = self.meet(ray, recorder);
+        step(ray, 5, recorder, |recorder| {
+            let answer = self.see_along(ray, surface.as_mut(), recorder);
+            self.colour_of(answer, recorder)
+        })
+    }
+
+    /// The same for a ray that another one has spawned and waits for: where the stack runs short, with a new piece of it.
+    pub(super) fn trace_spawned<R: Recorder>(&self, ray: &Ray, recorder: &mut R) -> Rgb {
+        stacker::maybe_grow(LEAST_STACK, MORE_STACK, || self.trace(ray, recorder))
+    }
+
+    /// What becomes of a ray that another one has handed over.
+    pub(super) fn answer<R: Recorder>(&self, ray: &Ray, recorder: &mut R) -> Answer<'a> {
+        let mut surface = self.meet(ray, recorder);
+        self.see_along(ray, surface.as_mut(), recorder)
+    }
+
+    /// Steps 2 to 4: the surface that the ray meets first.
+    #[inline(always)]
+    fn meet<R: Recorder>(&self, ray: &Ray, recorder: &mut R) -> Option<Surface> {
         recorder.count(Counter::Ray(ray.kind));
         let closest = if R::RECORDING {
             let found = step(ray, 2, recorder, |recorder| self.find_all_intersections(ray, recorder));
@@ -195,26 +217,26 @@ impl<E: Repertoire> Tracer<'_, E> {
         } else {
             self.nearest(ray, recorder)
         };
-        let mut surface = step(ray, 4, recorder, |recorder| {
+        step(ray, 4, recorder, |recorder| {
             closest.as_ref().map(|closest| self.compute_hit_point(ray, closest, recorder))
-        });
-        step(ray, 5, recorder, |recorder| match self.filling(ray) {
-            None => self.see(ray, surface.as_mut(), recorder),
-            Some(filling) => self.see_through(ray, &filling, surface.as_mut(), recorder),
         })
     }
 
-    /// The same for a ray that another one has spawned: where the stack runs short, with a new piece of it.
-    pub(super) fn trace_spawned<R: Recorder>(&self, ray: &Ray, recorder: &mut R) -> Rgb {
-        stacker::maybe_grow(LEAST_STACK, MORE_STACK, || self.trace(ray, recorder))
+    /// Step 5: the light that comes back along the ray.
+    #[inline(always)]
+    fn see_along<R: Recorder>(&self, ray: &Ray, surface: Option<&mut Surface>, recorder: &mut R) -> Answer<'a> {
+        match self.filling(ray) {
+            None => self.see(ray, surface, recorder),
+            Some(filling) => self.see_through(ray, filling, surface, recorder),
+        }
     }
 
     /// The light that comes from where the ray ends.
     #[inline(always)]
-    pub(super) fn see<R: Recorder>(&self, ray: &Ray, surface: Option<&mut Surface>, recorder: &mut R) -> Rgb {
+    pub(super) fn see<R: Recorder>(&self, ray: &Ray, surface: Option<&mut Surface>, recorder: &mut R) -> Answer<'a> {
         match surface {
             Some(surface) => self.find_colour(ray, surface, recorder),
-            None => self.see_background(ray, recorder),
+            None => Answer::Colour(self.see_background(ray, recorder)),
         }
     }
 
@@ -257,21 +279,24 @@ impl<E: Repertoire> Tracer<'_, E> {
 
     /// Step 5: the colour of the light that returns along the ray from the hit point.
     #[inline(always)]
-    fn find_colour<R: Recorder>(&self, ray: &Ray, surface: &mut Surface, recorder: &mut R) -> Rgb {
+    fn find_colour<R: Recorder>(&self, ray: &Ray, surface: &mut Surface, recorder: &mut R) -> Answer<'a> {
         let crossing = self.cross_media(ray, surface, recorder);
         self.report_overlaps(ray, surface, &crossing, recorder);
         let mut components = Components::default();
-        if crossing.hidden {
-            components.transmitted = self.pass_straight_through(ray, surface, &crossing, recorder);
+        let onward = if crossing.hidden {
+            self.pass_straight_through(ray, surface, &crossing, recorder)
         } else {
             let corners = self.corners(ray, surface);
             let finish = self.finish(surface, corners.as_deref(), recorder);
             self.add_lights(ray, surface, &finish, &mut components, recorder);
             let meeting = Meeting { surface, material: finish.material, corners };
-            self.add_spawned(ray, &meeting, &crossing, &mut components, recorder);
+            self.add_spawned(ray, &meeting, &crossing, &mut components, recorder)
+        };
+        if let Some(onward) = onward {
+            return Answer::Onward(onward);
         }
         recorder.note(|| components.describe());
-        components.total()
+        Answer::Colour(components.total())
     }
 
     /// Describes the ray itself.

@@ -2,6 +2,7 @@
 
 use super::calls::Repertoire;
 use super::closest::Surface;
+use super::path::Answer;
 use super::ray::{Ray, Tracer};
 use super::scatter::Turned;
 use crate::csg::Boundary;
@@ -26,6 +27,16 @@ pub(super) struct Stretch<'a> {
     pub times: [f64; 2],
     /// In the world's units.
     pub length: f64,
+}
+
+/// What a ray through a medium sees, but for the light from its end.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Passage<'a> {
+    filling: Filling<'a>,
+    /// What the light from its end counts.
+    passes: Rgb,
+    /// The light that is turned towards its start on the way.
+    scattered: Rgb,
 }
 
 impl<'a> Stretch<'a> {
@@ -59,24 +70,35 @@ impl<'a, E: Repertoire> Tracer<'a, E> {
     pub(super) fn see_through<R: Recorder>(
         &self,
         ray: &Ray,
-        filling: &Filling,
+        filling: Filling<'a>,
         surface: Option<&mut Surface>,
         recorder: &mut R,
-    ) -> Rgb {
+    ) -> Answer<'a> {
         Self::enter(Effect::Attenuation, recorder);
         let end = surface.as_ref().map_or(f64::INFINITY, |surface| surface.boundary.t);
-        let stretch = Stretch::new(*filling, ray, [0.0, end]);
+        let stretch = Stretch::new(filling, ray, [0.0, end]);
         recorder.note(|| self.describe_segment(ray, &stretch));
         let Turned { passes, scattered, budget } = self.turned_on(ray, &stretch, stretch.transmittance(), recorder);
+        let passage = Passage { filling, passes, scattered };
         // Where nothing is left, nothing behind can be seen.
-        let behind = if passes == Rgb::ZERO {
-            Rgb::ZERO
-        } else {
-            let (weight, tint) = (ray.weight * passes.max_element(), ray.tint * passes);
-            self.see(&Ray { weight, budget, tint, ..ray.clone() }, surface, recorder)
-        };
+        if passes == Rgb::ZERO {
+            return Answer::Colour(self.colour_through(&passage, Rgb::ZERO, recorder));
+        }
+        let (weight, tint) = (ray.weight * passes.max_element(), ray.tint * passes);
+        match self.see(&Ray { weight, budget, tint, ..ray.clone() }, surface, recorder) {
+            Answer::Colour(behind) => Answer::Colour(self.colour_through(&passage, behind, recorder)),
+            Answer::Onward(mut onward) => {
+                onward.relay.passage = Some(passage);
+                Answer::Onward(onward)
+            }
+        }
+    }
+
+    /// What comes back along a ray through a medium from whose end comes the light `behind`.
+    pub(super) fn colour_through(&self, passage: &Passage, behind: Rgb, recorder: &mut impl Recorder) -> Rgb {
+        let Passage { filling, passes, scattered } = *passage;
         let colour = passes * behind + scattered;
-        recorder.note(|| self.describe_passage(filling, [passes, behind, scattered, colour]));
+        recorder.note(|| self.describe_passage(&filling, [passes, behind, scattered, colour]));
         colour
     }
 

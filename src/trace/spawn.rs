@@ -7,6 +7,7 @@ use super::closest::Surface;
 use super::departure::Departure;
 use super::division::{Division, Through};
 use super::media::MediaCrossing;
+use super::path::{Onward, Relay};
 use super::ray::{Components, MOST_TURNS, Ray, Tracer};
 use crate::optics::{MediaStack, reflect};
 use crate::record::{Counter, Effect, Entry, RayKind, Recorder, Value, What};
@@ -38,11 +39,21 @@ struct Offspring {
     branch: u32,
 }
 
+/// What comes from a direction.
+#[expect(clippy::large_enum_variant, reason = "in a box, each mirrored ray would be a call of the allocator")]
+enum View {
+    /// This colour.
+    Colour(Rgb),
+    /// What this ray brings back, times this share.
+    Along(Ray, Rgb),
+}
+
 /// At least as many as there are kinds of rays.
 const MOST_KINDS: u32 = 256;
 
-impl<E: Repertoire> Tracer<'_, E> {
-    /// Adds what comes back along the reflected and the transmitted ray.
+impl<'a, E: Repertoire> Tracer<'a, E> {
+    /// Adds what comes back along the reflected and the transmitted ray. The last of them is handed over: what it brings back
+    /// is to be added yet.
     #[inline(always)]
     pub(super) fn add_spawned<R: Recorder>(
         &self,
@@ -51,10 +62,11 @@ impl<E: Repertoire> Tracer<'_, E> {
         crossing: &MediaCrossing,
         components: &mut Components,
         recorder: &mut R,
-    ) {
+    ) -> Option<Onward<'a>> {
         if self.calls_for_any(Effects::SENDING) && meeting.material.sends_rays() {
-            self.add_mirrored_and_transmitted(ray, meeting, crossing, components, recorder);
+            return self.add_mirrored_and_transmitted(ray, meeting, crossing, components, recorder);
         }
+        None
     }
 
     /// What [`add_spawned`](Self::add_spawned) does at surfaces that send rays. It is kept out of line: other surfaces should
@@ -67,7 +79,7 @@ impl<E: Repertoire> Tracer<'_, E> {
         crossing: &MediaCrossing,
         components: &mut Components,
         recorder: &mut R,
-    ) {
+    ) -> Option<Onward<'a>> {
         let Meeting { surface, material, corners } = meeting;
         let Division { mirrored: share, name, through } = self.divide(ray, meeting, crossing, recorder);
         let mirroring = self.mirrored_for(material, through.is_empty()).filter(|_| share != Rgb::ZERO);
@@ -82,8 +94,13 @@ impl<E: Repertoire> Tracer<'_, E> {
             let beam = corners.as_deref().map(|corners| Beam::mirrored(corners, surface));
             let (branch, lot) = (kind as u32, allotment.lot(0, share));
             let offspring = Offspring { effect, kind, direction, beam, share, media, lot, wavelength, branch };
-            components.reflected = self.look(ray, meeting, offspring, recorder);
+            match self.look(ray, meeting, offspring, recorder) {
+                View::Colour(colour) => components.reflected = colour,
+                View::Along(ray, share) if through.is_empty() => return Some(onward(ray, share, components)),
+                View::Along(ray, share) => components.reflected = self.send(&ray, recorder) * share,
+            }
         }
+        let ways = through.len();
         for (number, Through { direction, indices, share, wavelength }) in (0..).zip(through) {
             if number == 0 {
                 Self::enter(Effect::Refraction, recorder);
@@ -96,8 +113,13 @@ impl<E: Repertoire> Tracer<'_, E> {
             let beam = corners.as_deref().map(|corners| Beam::bent(corners, surface, way, indices));
             let (branch, lot) = (kind as u32 + number * MOST_KINDS, allotment.lot(1 + number as usize, share));
             let offspring = Offspring { effect, kind, direction, beam, share, media, lot, wavelength, branch };
-            components.transmitted += self.look(ray, meeting, offspring, recorder);
+            match self.look(ray, meeting, offspring, recorder) {
+                View::Colour(colour) => components.transmitted += colour,
+                View::Along(ray, share) if number as usize + 1 == ways => return Some(onward(ray, share, components)),
+                View::Along(ray, share) => components.transmitted += self.send(&ray, recorder) * share,
+            }
         }
+        None
     }
 
     /// What calls for a mirrored ray, if anything does. Where light is reflected inside glass because it cannot get out, that is
@@ -111,13 +133,16 @@ impl<E: Repertoire> Tracer<'_, E> {
         (is_total && self.calls_for(Effect::Refraction)).then_some(Effect::Refraction)
     }
 
-    /// What comes back from a direction: along a ray, or from the environment alone where the material asks for that.
-    fn look<R: Recorder>(&self, parent: &Ray, meeting: &Meeting, offspring: Offspring, recorder: &mut R) -> Rgb {
+    /// What comes from a direction: what a ray will bring back, or the environment alone where the material asks for that.
+    fn look<R: Recorder>(&self, parent: &Ray, meeting: &Meeting, offspring: Offspring, recorder: &mut R) -> View {
         if meeting.material.mirrors_environment() {
             let beam = offspring.beam.as_deref();
-            return self.see_environment(offspring.direction, beam, recorder) * offspring.share;
+            return View::Colour(self.see_environment(offspring.direction, beam, recorder) * offspring.share);
         }
-        self.spawn(parent, meeting.surface, offspring, recorder)
+        match self.spawn(parent, meeting.surface, offspring, recorder) {
+            Some((ray, share)) => View::Along(ray, share),
+            None => View::Colour(Rgb::ZERO),
+        }
     }
 
     /// Goes on behind a boundary that lies inside a medium which wins over it.
@@ -128,7 +153,7 @@ impl<E: Repertoire> Tracer<'_, E> {
         surface: &Surface,
         crossing: &MediaCrossing,
         recorder: &mut R,
-    ) -> Rgb {
+    ) -> Option<Onward<'a>> {
         let (kind, media) = (RayKind::Refracted, crossing.media_after(ray));
         let lot = Lot::Sent(ray.budget.saturating_sub(1));
         let beam = self.corners(ray, surface).map(|corners| Beam::straight_on(&corners));
@@ -136,15 +161,21 @@ impl<E: Repertoire> Tracer<'_, E> {
         let (effect, branch) = (Effect::Refraction, kind as u32);
         let (direction, wavelength) = (ray.direction, ray.wavelength);
         let offspring = Offspring { effect, kind, direction, beam, share, media, lot, wavelength, branch };
-        self.spawn(ray, surface, offspring, recorder)
+        let (ray, share) = self.spawn(ray, surface, offspring, recorder)?;
+        Some(onward(ray, share, &Components::default()))
     }
 
-    /// Sends a ray from the surface and returns its colour times `share`, or black where a limit stops it.
-    fn spawn<R: Recorder>(&self, parent: &Ray, surface: &Surface, offspring: Offspring, recorder: &mut R) -> Rgb {
+    /// A ray from the surface, and what its colour counts; none where chance or a limit stops it.
+    fn spawn<R: Recorder>(
+        &self,
+        parent: &Ray,
+        surface: &Surface,
+        offspring: Offspring,
+        recorder: &mut R,
+    ) -> Option<(Ray, Rgb)> {
         let Offspring { effect, kind, direction, beam, share, media, lot, wavelength, branch } = offspring;
         lot.tell(kind, share, recorder);
-        let Some(factor) = lot.factor() else { return Rgb::ZERO };
-        let share = share * factor;
+        let share = share * lot.factor()?;
         let ray = Ray {
             kind,
             origin: surface.point,
@@ -162,12 +193,17 @@ impl<E: Repertoire> Tracer<'_, E> {
             stream: parent.stream.branch(branch),
         };
         if self.stopped_by_a_limit(&ray, recorder) {
-            return Rgb::ZERO;
+            return None;
         }
         recorder.count(Counter::Sent(effect));
+        Some((ray, share))
+    }
+
+    /// The colour that a spawned ray brings back to a hit that waits for it.
+    fn send<R: Recorder>(&self, ray: &Ray, recorder: &mut R) -> Rgb {
         recorder.begin();
-        let colour = self.trace_spawned(&ray, recorder) * share;
-        recorder.end(|| self.describe_ray(&ray));
+        let colour = self.trace_spawned(ray, recorder);
+        recorder.end(|| self.describe_ray(ray));
         colour
     }
 
@@ -192,6 +228,11 @@ impl<E: Repertoire> Tracer<'_, E> {
         });
         true
     }
+}
+
+/// Hands over the last ray of a hit that has gathered these components.
+const fn onward<'a>(ray: Ray, share: Rgb, components: &Components) -> Onward<'a> {
+    Onward { ray, relay: Relay { components: *components, share, passage: None } }
 }
 
 /// `name` is what the working before this calls the share.

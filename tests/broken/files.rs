@@ -259,15 +259,15 @@ pub const FILES: &[Case] = &[
         help: r#"did you mean "most_recent"?"#,
     },
     Case {
-        text: r#"{"limits": {"depth": 1000}}"#,
+        text: r#"{"limits": {"depth": 1000000}}"#,
         place: "1:22 at limits.depth",
-        message: "expected a whole number from 0 to 250, found 1000",
+        message: "expected a whole number from 0 to 100000, found 1000000",
         help: "",
     },
     Case {
         text: r#"{"limits": {"depth": null}}"#,
         place: "1:22 at limits.depth",
-        message: "expected a whole number from 0 to 250, found null",
+        message: "expected a whole number from 0 to 100000, found null",
         help: "",
     },
     Case {
