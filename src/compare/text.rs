@@ -5,7 +5,7 @@ use super::difference::{Standing, TreeDifference};
 use super::{Departure, Tolerance};
 use crate::record::Event;
 use crate::trace::RayTree;
-use crate::view::row;
+use crate::view::{indent, row};
 use std::fmt::Write as _;
 
 /// The difference as text. What is the same all the way down is one line with the number of events below it.
@@ -43,7 +43,7 @@ fn put_rows(text: &mut String, pairs: &TreeDifference, trees: [&RayTree; 2], tol
             (Some(id), _) => trees[0].event(id),
             _ => return,
         };
-        let indent = "  ".repeat(pair.depth as usize);
+        let indent = indent(pair.depth as usize);
         let is_whole = pair.different == 0 || matches!(pair.standing, Standing::OnlyLeft | Standing::OnlyRight);
         let below = pair.end as usize - place - 1;
         let word = match pair.standing {

@@ -1,20 +1,19 @@
-//! Paths: the last ray that a hit sends is traced after the hit, not within it.
+//! Long paths: the last ray that a hit sends is traced after the hit, not within it.
 //!
 //! Light that glass has caught, or that runs between mirrors, may go round thousands of times. Were every ray traced within
-//! the one that sent it, each would hold its piece of the stack until the last one is answered. So a hit hands over the last
-//! ray that it sends, with a relay that knows what to do with its colour. The ray is traced, and the ray after it, and when
-//! one of them has a colour, it comes back through the relays in turn. Only where a hit sends two rays is the first of them
-//! traced within it.
+//! the one that sent it, each would hold its piece of the stack until the last one is answered. So on a long path a hit hands
+//! over the last ray that it sends, with a relay that knows what to do with its colour. The ray is traced, and the ray after
+//! it, and when one of them has a colour, it comes back through the relays in turn. Where a hit sends two rays, the first of
+//! them is always traced within it.
 
 use super::calls::Repertoire;
 use super::ray::{Components, Ray, Tracer};
 use super::segment::Passage;
 use crate::record::{RayKind, Recorder};
 use crate::scene::Rgb;
-use smallvec::SmallVec;
 
 /// What becomes of a ray.
-#[expect(clippy::large_enum_variant, reason = "in a box, each mirrored ray would be a call of the allocator")]
+#[expect(clippy::large_enum_variant, reason = "rays are handed over where they are, without a call of the allocator")]
 pub(super) enum Answer<'a> {
     /// It brings back this colour.
     Colour(Rgb),
@@ -38,9 +37,6 @@ pub(super) struct Relay<'a> {
     pub passage: Option<Passage<'a>>,
 }
 
-/// Rays of a path that need no memory beyond the stack: most paths end before that.
-const SHORT: usize = 4;
-
 impl<'a, E: Repertoire> Tracer<'a, E> {
     /// The colour that an answer stands for.
     #[inline(always)]
@@ -54,7 +50,7 @@ impl<'a, E: Repertoire> Tracer<'a, E> {
     /// Traces a ray and those after it, and brings the colour of the last one back to the first.
     #[inline(never)]
     fn follow<R: Recorder>(&self, first: Onward<'a>, recorder: &mut R) -> Rgb {
-        let mut path: SmallVec<[Onward; SHORT]> = SmallVec::new();
+        let mut path: Vec<Onward> = Vec::new();
         let mut next = first;
         let mut colour = loop {
             recorder.begin();

@@ -284,7 +284,7 @@ impl<'a, E: Repertoire> Tracer<'a, E> {
         self.report_overlaps(ray, surface, &crossing, recorder);
         let mut components = Components::default();
         let onward = if crossing.hidden {
-            self.pass_straight_through(ray, surface, &crossing, recorder)
+            self.pass_straight_through(ray, surface, &crossing, &mut components, recorder)
         } else {
             let corners = self.corners(ray, surface);
             let finish = self.finish(surface, corners.as_deref(), recorder);

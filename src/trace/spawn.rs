@@ -37,23 +37,28 @@ struct Offspring {
     wavelength: Option<f64>,
     /// Tells its random numbers from those of the other rays that its parent spawns.
     branch: u32,
+    /// Whether no other ray follows it.
+    is_last: bool,
 }
 
 /// What comes from a direction.
-#[expect(clippy::large_enum_variant, reason = "in a box, each mirrored ray would be a call of the allocator")]
+#[expect(clippy::large_enum_variant, reason = "rays are handed over where they are, without a call of the allocator")]
 enum View {
     /// This colour.
     Colour(Rgb),
-    /// What this ray brings back, times this share.
+    /// What this ray will bring back, times this share.
     Along(Ray, Rgb),
 }
+
+/// From here on a path hands its rays over. Up to here they are traced one within the other, which spares moving them.
+const LONG: u32 = 32;
 
 /// At least as many as there are kinds of rays.
 const MOST_KINDS: u32 = 256;
 
 impl<'a, E: Repertoire> Tracer<'a, E> {
-    /// Adds what comes back along the reflected and the transmitted ray. The last of them is handed over: what it brings back
-    /// is to be added yet.
+    /// Adds what comes back along the reflected and the transmitted ray. On long paths the last of them is handed over: what it
+    /// brings back is to be added yet.
     #[inline(always)]
     pub(super) fn add_spawned<R: Recorder>(
         &self,
@@ -93,11 +98,11 @@ impl<'a, E: Repertoire> Tracer<'a, E> {
             let (kind, media, wavelength) = (RayKind::Reflected, ray.media.clone(), ray.wavelength);
             let beam = corners.as_deref().map(|corners| Beam::mirrored(corners, surface));
             let (branch, lot) = (kind as u32, allotment.lot(0, share));
-            let offspring = Offspring { effect, kind, direction, beam, share, media, lot, wavelength, branch };
+            let is_last = through.is_empty();
+            let offspring = Offspring { effect, kind, direction, beam, share, media, lot, wavelength, branch, is_last };
             match self.look(ray, meeting, offspring, recorder) {
                 View::Colour(colour) => components.reflected = colour,
-                View::Along(ray, share) if through.is_empty() => return Some(onward(ray, share, components)),
-                View::Along(ray, share) => components.reflected = self.send(&ray, recorder) * share,
+                View::Along(ray, share) => return Some(onward(ray, share, components)),
             }
         }
         let ways = through.len();
@@ -112,11 +117,11 @@ impl<'a, E: Repertoire> Tracer<'a, E> {
             let way = [ray.direction, direction];
             let beam = corners.as_deref().map(|corners| Beam::bent(corners, surface, way, indices));
             let (branch, lot) = (kind as u32 + number * MOST_KINDS, allotment.lot(1 + number as usize, share));
-            let offspring = Offspring { effect, kind, direction, beam, share, media, lot, wavelength, branch };
+            let is_last = number as usize + 1 == ways;
+            let offspring = Offspring { effect, kind, direction, beam, share, media, lot, wavelength, branch, is_last };
             match self.look(ray, meeting, offspring, recorder) {
                 View::Colour(colour) => components.transmitted += colour,
-                View::Along(ray, share) if number as usize + 1 == ways => return Some(onward(ray, share, components)),
-                View::Along(ray, share) => components.transmitted += self.send(&ray, recorder) * share,
+                View::Along(ray, share) => return Some(onward(ray, share, components)),
             }
         }
         None
@@ -133,16 +138,13 @@ impl<'a, E: Repertoire> Tracer<'a, E> {
         (is_total && self.calls_for(Effect::Refraction)).then_some(Effect::Refraction)
     }
 
-    /// What comes from a direction: what a ray will bring back, or the environment alone where the material asks for that.
+    /// What comes from a direction: what a ray brings back, or the environment alone where the material asks for that.
     fn look<R: Recorder>(&self, parent: &Ray, meeting: &Meeting, offspring: Offspring, recorder: &mut R) -> View {
         if meeting.material.mirrors_environment() {
             let beam = offspring.beam.as_deref();
             return View::Colour(self.see_environment(offspring.direction, beam, recorder) * offspring.share);
         }
-        match self.spawn(parent, meeting.surface, offspring, recorder) {
-            Some((ray, share)) => View::Along(ray, share),
-            None => View::Colour(Rgb::ZERO),
-        }
+        self.spawn(parent, meeting.surface, offspring, recorder)
     }
 
     /// Goes on behind a boundary that lies inside a medium which wins over it.
@@ -152,6 +154,7 @@ impl<'a, E: Repertoire> Tracer<'a, E> {
         ray: &Ray,
         surface: &Surface,
         crossing: &MediaCrossing,
+        components: &mut Components,
         recorder: &mut R,
     ) -> Option<Onward<'a>> {
         let (kind, media) = (RayKind::Refracted, crossing.media_after(ray));
@@ -160,22 +163,22 @@ impl<'a, E: Repertoire> Tracer<'a, E> {
         let share = Rgb::ONE;
         let (effect, branch) = (Effect::Refraction, kind as u32);
         let (direction, wavelength) = (ray.direction, ray.wavelength);
-        let offspring = Offspring { effect, kind, direction, beam, share, media, lot, wavelength, branch };
-        let (ray, share) = self.spawn(ray, surface, offspring, recorder)?;
-        Some(onward(ray, share, &Components::default()))
+        let is_last = true;
+        let offspring = Offspring { effect, kind, direction, beam, share, media, lot, wavelength, branch, is_last };
+        match self.spawn(ray, surface, offspring, recorder) {
+            View::Colour(colour) => components.transmitted = colour,
+            View::Along(ray, share) => return Some(onward(ray, share, components)),
+        }
+        None
     }
 
-    /// A ray from the surface, and what its colour counts; none where chance or a limit stops it.
-    fn spawn<R: Recorder>(
-        &self,
-        parent: &Ray,
-        surface: &Surface,
-        offspring: Offspring,
-        recorder: &mut R,
-    ) -> Option<(Ray, Rgb)> {
-        let Offspring { effect, kind, direction, beam, share, media, lot, wavelength, branch } = offspring;
+    /// Sends a ray from the surface: its colour times `share`, black where chance or a limit stops it, or the ray itself where
+    /// it is to be handed over.
+    fn spawn<R: Recorder>(&self, parent: &Ray, surface: &Surface, offspring: Offspring, recorder: &mut R) -> View {
+        let Offspring { effect, kind, direction, beam, share, media, lot, wavelength, branch, is_last } = offspring;
         lot.tell(kind, share, recorder);
-        let share = share * lot.factor()?;
+        let Some(factor) = lot.factor() else { return View::Colour(Rgb::ZERO) };
+        let share = share * factor;
         let ray = Ray {
             kind,
             origin: surface.point,
@@ -193,18 +196,16 @@ impl<'a, E: Repertoire> Tracer<'a, E> {
             stream: parent.stream.branch(branch),
         };
         if self.stopped_by_a_limit(&ray, recorder) {
-            return None;
+            return View::Colour(Rgb::ZERO);
         }
         recorder.count(Counter::Sent(effect));
-        Some((ray, share))
-    }
-
-    /// The colour that a spawned ray brings back to a hit that waits for it.
-    fn send<R: Recorder>(&self, ray: &Ray, recorder: &mut R) -> Rgb {
+        if is_last && ray.depth >= LONG {
+            return View::Along(ray, share);
+        }
         recorder.begin();
-        let colour = self.trace_spawned(ray, recorder);
-        recorder.end(|| self.describe_ray(ray));
-        colour
+        let colour = self.trace_spawned(&ray, recorder) * share;
+        recorder.end(|| self.describe_ray(&ray));
+        View::Colour(colour)
     }
 
     pub(super) fn stopped_by_a_limit(&self, ray: &Ray, recorder: &mut impl Recorder) -> bool {

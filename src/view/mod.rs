@@ -72,8 +72,8 @@ pub use sign_plot::{ProbedSigns, SignPlotLayout, SignProbe, probed_sign_plot, si
 pub use snell_diagram::snell_diagram;
 pub use svg::{escaped, svg};
 pub use text::{
-    Detail, DetailLine, Row, beneath, brief, brief_vector, detail, equated, row, significant, span_list, tree_text,
-    untold_row,
+    Detail, DetailLine, Row, beneath, brief, brief_vector, detail, equated, indent, row, significant, span_list,
+    tree_text, untold_row,
 };
 pub use timeline::{AXIS as TIMELINE_AXIS, Timed, TimelineScale, timeline, timeline_height};
 pub use views::{ALL_VIEWS, Subject, View, primitive_behind, search_behind};

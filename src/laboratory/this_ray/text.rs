@@ -4,7 +4,7 @@ use super::{OutlineRow, Story, ThisRay, Told};
 use crate::laboratory::Timing;
 use crate::record::{EventId, What};
 use crate::trace::RayTree;
-use crate::view::{brief, row};
+use crate::view::{brief, indent, row};
 use std::fmt::Write;
 
 /// Losses from here on are marked.
@@ -84,7 +84,7 @@ fn put_outline(text: &mut String, ray: &ThisRay) {
 }
 
 fn put_row(text: &mut String, outlined: &OutlineRow) {
-    let label = format!("{}{}", "  ".repeat(outlined.depth), row(outlined.event).label);
+    let label = format!("{}{}", indent(outlined.depth), row(outlined.event).label);
     let mut cut: String = label.chars().take(LABELS - 2).collect();
     if cut.len() < label.len() {
         cut.pop();

@@ -19,7 +19,7 @@ pub(super) use format::{count, degrees, times};
 pub(super) use row::titled;
 pub use row::{Row, row, untold_row};
 pub(super) use texture_row::{angle_between, place, solid_angle, spoken};
-pub use tree::tree_text;
+pub use tree::{indent, tree_text};
 
 #[cfg(test)]
 mod tests {
@@ -64,6 +64,14 @@ mod tests {
             let line = format!("\n{}{} {}", "  ".repeat(tree.depth(event.id)), row.icon, row.label);
             assert!(format!("\n{text}").contains(&line), "{line}");
         }
+    }
+
+    #[test]
+    fn deep_rows_tell_their_level_and_stay_short() {
+        assert_eq!(indent(3), "      ");
+        assert_eq!(indent(60).len(), 120);
+        assert_eq!(indent(61).trim_start(), "61: ");
+        assert!(indent(20_000).len() < 130);
     }
 
     #[test]

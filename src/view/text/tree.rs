@@ -64,10 +64,18 @@ fn put_working(text: &mut String, depth: usize, symbol: &str, parts: [&str; 3]) 
     }
 }
 
+/// Levels that are shown by blanks. With blanks alone the story of a ray that is mirrored 10,000 times would take gigabytes.
+const INDENTED: usize = 60;
+
+/// What stands before a line at this depth: two blanks for each level, and below the deepest of these the level's number.
+#[must_use]
+pub fn indent(depth: usize) -> String {
+    let blanks = "  ".repeat(depth.min(INDENTED));
+    if depth > INDENTED { format!("{blanks}{depth}: ") } else { blanks }
+}
+
 fn put_line(text: &mut String, depth: usize, line: &str) {
-    for _ in 0..depth {
-        text.push_str("  ");
-    }
+    text.push_str(&indent(depth));
     text.push_str(line.trim_end());
     text.push('\n');
 }
