@@ -216,7 +216,7 @@ pub enum MediaFile {
 pub struct LimitsFile {
     /// How many rays away from the camera ray a ray may be.
     // Light that glass has caught seldom goes round more often. A path of this length takes a tenth of a second and 70 MB.
-    #[schemars(range(max = 100000))]
+    #[schemars(range(max = 100_000))]
     pub depth: u32,
     /// Rays whose colour would count less than this in the pixel are not followed.
     #[schemars(range(min = 0.0, max = 1.0))]

@@ -63,21 +63,21 @@ impl<'a, E: Repertoire> Tracer<'a, E> {
         };
         for Onward { ray, relay } in path.into_iter().rev() {
             recorder.end(|| self.describe_ray(&ray));
-            colour = self.relayed(ray.kind, relay, colour, recorder);
+            colour = self.relayed(ray.kind, &relay, colour, recorder);
         }
         colour
     }
 
     /// The colour of a ray that has sent one of this kind, which brought back `colour`.
-    fn relayed<R: Recorder>(&self, kind: RayKind, relay: Relay, colour: Rgb, recorder: &mut R) -> Rgb {
-        let Relay { mut components, share, passage } = relay;
+    fn relayed<R: Recorder>(&self, kind: RayKind, relay: &Relay, colour: Rgb, recorder: &mut R) -> Rgb {
+        let Relay { mut components, share, ref passage } = *relay;
         let component =
             if kind == RayKind::Reflected { &mut components.reflected } else { &mut components.transmitted };
         *component += colour * share;
         recorder.note(|| components.describe());
         match passage {
             None => components.total(),
-            Some(passage) => self.colour_through(&passage, components.total(), recorder),
+            Some(passage) => self.colour_through(passage, components.total(), recorder),
         }
     }
 }
