@@ -1,6 +1,6 @@
 //! Balls that hold a solid: the other extent of § 6.5.4, tighter than a box for what is round or stands askew.
 
-use super::course::ROUNDINGS;
+use super::course::{ROUNDINGS, ball_scale};
 use super::{Course, Placement};
 use crate::record::Operator;
 use crate::shape::{Bounds, Primitive};
@@ -84,10 +84,8 @@ impl Ball {
         let moment = way.cross(direction);
         // What rounding can do to the ray on its way into generic coordinates, and to the cross product here.
         let slack = ROUNDINGS * course.skew * (origin.abs().max_element() + way.abs().element_sum());
-        let (reach, length_squared) = (self.radius + slack, direction.length_squared());
-        // Beyond these, squares overflow or lose digits.
-        let is_ordinary = (1e-200..1e200).contains(&length_squared);
-        is_ordinary && moment.length_squared() > reach * reach * length_squared * (1.0 + ROUNDINGS)
+        let reach = self.radius + slack;
+        moment.length_squared() > reach * reach * ball_scale(direction)
     }
 
     /// Half its surface: like that of a box in proportion to the share of random rays that meet it.

@@ -1,5 +1,6 @@
 //! A ray on its way past many extents.
 
+use super::Ball;
 use crate::shape::Solving;
 use glam::DVec3;
 use std::cell::OnceCell;
@@ -29,10 +30,16 @@ pub struct Course {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Slabs {
     pub per_direction: [f64; 3],
-    pub backwards: [bool; 3],
+    /// 1 along axes against which the ray goes, 0 along the others.
+    pub backwards: [usize; 3],
     pub near_start: [f64; 3],
     pub far_start: [f64; 3],
     pub widening: f64,
+    /// How far the origin was moved.
+    pub slack: f64,
+    /// What squared reaches are multiplied with before they are compared with squared moments; infinite where balls are not
+    /// asked.
+    pub per_reach: f64,
 }
 
 /// Roundings in the way of a ray into generic coordinates and in a slab test. Fewer could cut off a grazing hit; more would
@@ -59,7 +66,7 @@ impl Course {
     /// The same ray, tested against the balls of solids or not.
     #[must_use]
     pub fn testing_balls(self, balls: bool) -> Self {
-        Self { balls, ..self }
+        Self { balls, slabs: OnceCell::new(), ..self }
     }
 
     /// The same ray, led through the hierarchies of wide unions or not.
@@ -74,26 +81,42 @@ impl Course {
         Self { solving, ..self }
     }
 
+    /// Whether its line surely passes a ball outside; never where balls are not asked.
+    #[must_use]
+    #[inline]
+    pub fn passes_by(&self, ball: &Ball) -> bool {
+        self.balls && ball.is_missed(self)
+    }
+
     #[inline]
     pub(super) fn slabs(&self) -> &Slabs {
-        self.slabs.get_or_init(|| Slabs::new(self.line, self.skew))
+        // Put in place here: `get_or_init` alone takes that for a rare case.
+        if self.slabs.get().is_none() {
+            let _ = self.slabs.set(Slabs::new(self));
+        }
+        self.slabs.get_or_init(|| Slabs::new(self))
     }
 }
 
 impl Slabs {
-    fn new([origin, direction]: [DVec3; 2], skew: f64) -> Self {
+    #[inline]
+    fn new(&Course { line: [origin, direction], skew, balls, .. }: &Course) -> Self {
         let slack = ROUNDINGS * skew * origin.abs().max_element();
         let (start, course) = (origin.to_array(), direction.to_array());
         let per_direction = course.map(|d| 1.0 / d);
-        let backwards = per_direction.map(f64::is_sign_negative);
-        let moved =
-            |by: f64| std::array::from_fn(|axis| if backwards[axis] { start[axis] - by } else { start[axis] + by });
+        let backwards = per_direction.map(|d| usize::from(d.is_sign_negative()));
+        let widening = ROUNDINGS * skew;
+        let moved = |by: f64| {
+            std::array::from_fn(|axis| if backwards[axis] == 1 { start[axis] - by } else { start[axis] + by })
+        };
         Self {
             per_direction,
             backwards,
             near_start: moved(slack),
             far_start: moved(-slack),
-            widening: ROUNDINGS * skew,
+            widening,
+            slack,
+            per_reach: if balls { ball_scale(direction) } else { f64::INFINITY },
         }
     }
 
@@ -102,4 +125,12 @@ impl Slabs {
     pub fn widened(&self, [t_in, t_out]: [f64; 2]) -> [f64; 2] {
         [t_in - self.widening * t_in.abs(), t_out + self.widening * t_out.abs()]
     }
+}
+
+/// |c|², and a little more than rounding can add to it: a line passes a ball outside where its squared moment about the middle
+/// is larger than this times the square of the radius. Infinite where squares overflow or lose digits.
+#[inline]
+pub(super) fn ball_scale(direction: DVec3) -> f64 {
+    let square = direction.length_squared();
+    if (1e-200..1e200).contains(&square) { square * (1.0 + ROUNDINGS) } else { f64::INFINITY }
 }

@@ -66,7 +66,8 @@ impl Extent {
         let (low, high) = (self.low.to_array(), self.high.to_array());
         let (mut t_in, mut t_out) = (f64::NEG_INFINITY, f64::INFINITY);
         for axis in 0..3 {
-            let [near, far] = if slabs.backwards[axis] { [high[axis], low[axis]] } else { [low[axis], high[axis]] };
+            let is_backwards = slabs.backwards[axis] == 1;
+            let [near, far] = if is_backwards { [high[axis], low[axis]] } else { [low[axis], high[axis]] };
             let near = (near - slabs.near_start[axis]) * slabs.per_direction[axis];
             let far = (far - slabs.far_start[axis]) * slabs.per_direction[axis];
             // A ray that lies in a side gives 0 · ∞ = NaN, which both comparisons pass over.

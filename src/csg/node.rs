@@ -64,6 +64,12 @@ impl Enclosure {
         let ball = Ball::of_pair(operator, left.ball, right.ball);
         Self { asks_ball: ball != left.ball && is_worthwhile(&ball, &extent), extent, ball }
     }
+
+    /// Its ball, where many of the lines that meet the box miss it.
+    #[must_use]
+    pub fn worthwhile_ball(&self) -> Option<Ball> {
+        is_worthwhile(&self.ball, &self.extent).then_some(self.ball)
+    }
 }
 
 fn is_worthwhile(ball: &Ball, extent: &Extent) -> bool {

@@ -122,6 +122,8 @@ impl Solid {
 
     /// The first boundary with t > 0, for rays that need no more and are not told of: solvers report nothing. `is_met`
     /// where it is known that the ray meets the box.
+    #[inline(always)]
+    #[expect(clippy::inline_always, reason = "measured: it is asked for every ray, and its answer is large")]
     pub fn first_in_front(
         &self,
         course: &Course,
@@ -131,7 +133,7 @@ impl Solid {
         let query = Query::new(self, course).with_box_met(is_met);
         match self.root() {
             Node::Leaf { leaf, enclosure } => query.first_crossing(*leaf, enclosure, recorder),
-            Node::Pair { .. } => query.as_asked(recorder).first_in_front(),
+            Node::Pair { .. } => first_boundary(&query, recorder),
         }
     }
 
@@ -143,6 +145,12 @@ impl Solid {
         let normal = leaf.placement.world_normal(leaf.shape.normal(point, boundary.part));
         if boundary.flipped { -normal } else { normal }
     }
+}
+
+/// The first boundary with t > 0 of a compound, whose lists primitives should not make room for.
+#[inline(never)]
+fn first_boundary<R: Recorder>(query: &Query, recorder: &mut R) -> Option<(Boundary, Sense)> {
+    query.as_asked(recorder).first_in_front()
 }
 
 /// The point, or the outermost one in its direction where its coordinates are too large for numbers.

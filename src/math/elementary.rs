@@ -82,12 +82,23 @@ pub fn sine_cosine(x: f64) -> (f64, f64) {
     let r = second + tail;
     let low = (second - r) + tail;
     let (sine, cosine) = (sine_near_zero(r, low), cosine_near_zero(r, low));
-    match rounded.to_bits() & 3 {
-        0 => (sine, cosine),
-        1 => (cosine, -sine),
-        2 => (-sine, -cosine),
-        _ => (-cosine, sine),
-    }
+    // By quarter turns: (s, c), (c, −s), (−s, −c), (−c, s). Without branches, which would be guessed wrong for every other angle.
+    let quarters = rounded.to_bits();
+    let (sine, cosine) = if quarters & 1 == 0 { (sine, cosine) } else { (cosine, sine) };
+    (negated_if(quarters & 2, sine), negated_if(quarters.wrapping_add(1) & 2, cosine))
+}
+
+/// The number, with its sign turned where the second bit is set; no other may be.
+#[inline]
+fn negated_if(second_bit: u64, x: f64) -> f64 {
+    f64::from_bits(x.to_bits() ^ second_bit << 62)
+}
+
+/// The same for |x| up to π/4, in less time.
+#[inline]
+#[must_use]
+pub fn sine_cosine_of_eighth(x: f64) -> (f64, f64) {
+    (sine_near_zero(x, 0.0), cosine_near_zero(x, 0.0))
 }
 
 /// The rounded sum of two numbers, and what was rounded off (Knuth).

@@ -19,7 +19,7 @@ mod wide_map;
 
 pub use alone::Alone;
 pub use double_double::DoubleDouble;
-pub use elementary::{exp, ln, power, sine_cosine};
+pub use elementary::{exp, ln, power, sine_cosine, sine_cosine_of_eighth};
 pub use lane_map::{LaneMap, Lanes, coordinates};
 pub use pair::Pair;
 pub use precise::Precise;

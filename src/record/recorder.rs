@@ -53,7 +53,8 @@ pub trait Recorder {
 
     /// Reports what `work` does as the parts of an event, which is described by the result. Where nothing is recorded
     /// the result goes straight to the caller: one that a description might borrow would first have to be copied.
-    #[inline]
+    #[inline(always)]
+    #[expect(clippy::inline_always, reason = "measured: results are large, and would be copied on their way")]
     fn event<T>(&mut self, work: impl FnOnce(&mut Self) -> T, describe: impl FnOnce(&T) -> Entry) -> T {
         if !Self::RECORDING {
             return work(self);

@@ -13,6 +13,7 @@
 ///
 /// Bit j of the number adds the j-th direction number. In the second dimension those are the rows of Pascal's triangle
 /// modulo 2: a sum over all larger sets of bits, taken bit by bit.
+#[inline]
 #[must_use]
 pub const fn sobol_point(number: u32) -> [u32; 2] {
     let mut sums = number;
@@ -25,12 +26,14 @@ pub const fn sobol_point(number: u32) -> [u32; 2] {
 }
 
 /// Owen's nested scrambling of a numerator over 2³²: every bit is turned or not by what the bits before it and the seed say.
+#[inline]
 #[must_use]
 pub const fn scrambled(bits: u32, seed: u32) -> u32 {
     laine_karras(bits.reverse_bits(), seed).reverse_bits()
 }
 
 /// A hash in which every bit depends on itself, on those below it and on the seed alone.
+#[inline]
 const fn laine_karras(mut bits: u32, seed: u32) -> u32 {
     bits ^= bits.wrapping_mul(0x3d20_adea);
     bits = bits.wrapping_add(seed);

@@ -73,6 +73,7 @@ impl Stream {
     /// Over the samples of a pixel the points for one purpose are a scrambled Sobol' sequence in a random order of its own:
     /// any 2ᵏ samples that begin at a multiple of 2ᵏ are spread as evenly as can be, and what they are for one purpose says
     /// nothing about what they are for another.
+    #[inline]
     #[must_use]
     pub fn square(self, purpose: Purpose) -> [f64; 2] {
         let seed = mixed(self.key ^ mixed(purpose.key().wrapping_add(0x2c1b_3c6d)));
@@ -88,11 +89,13 @@ impl Stream {
 }
 
 /// A numerator over 2³² as a number.
+#[inline]
 fn fraction(bits: u32) -> f64 {
     f64::from(bits) / 4_294_967_296.0
 }
 
 /// A hash of 32 bits in which every bit of the input turns half of the output's (C. Wellons, hash prospector, 2018).
+#[inline]
 const fn mixed(mut bits: u32) -> u32 {
     bits ^= bits >> 16;
     bits = bits.wrapping_mul(0x7feb_352d);

@@ -31,6 +31,13 @@ impl Effects {
     /// All effects.
     pub const ALL: Self = Self((1 << Effect::ALL.len()) - 1);
 
+    /// What scenes of opaque surfaces in plain colours may call for.
+    pub const OPAQUE: Self = Self::PLAIN
+        .with(Effect::Antialiasing)
+        .with(Effect::DepthOfField)
+        .with(Effect::ApertureShape)
+        .with(Effect::Reflection);
+
     /// What scenes of opaque, dull surfaces call for.
     pub const PLAIN: Self = Self(0).with(Effect::Shadows);
 
@@ -53,6 +60,12 @@ impl Effects {
     #[must_use]
     pub const fn meets(self, other: Self) -> bool {
         self.0 & other.0 != 0
+    }
+
+    /// Those that both sets have.
+    #[must_use]
+    pub const fn and(self, other: Self) -> Self {
+        Self(self.0 & other.0)
     }
 
     /// Whether all of the set are in the other one.

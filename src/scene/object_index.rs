@@ -2,7 +2,7 @@
 
 use super::projection::{Blur, View};
 use super::{Material, Object, Projection};
-use crate::csg::{Extent, Hierarchy};
+use crate::csg::{Ball, Extent, Hierarchy};
 
 /// The objects, arranged so that a ray need not ask all of them.
 #[derive(Clone, Debug, PartialEq)]
@@ -13,8 +13,13 @@ pub struct ObjectIndex {
     pub bounded: Vec<usize>,
     /// The objects that have none, by their places in the list.
     pub unbounded: Vec<usize>,
+    /// For each object its ball, where that is worthwhile. Objects that touch others are asked even where a ray seems to pass by:
+    /// the ray may start on them, and on the wrong side by rounding.
+    pub balls: Vec<Option<Ball>>,
     /// For each object whether no part of it lets light through.
     pub opaque: Vec<bool>,
+    /// Whether none of them lets light through, and none is filled with what would.
+    pub all_opaque: bool,
     /// For each object where it is in the picture.
     pub projections: Vec<Projection>,
     /// The objects that are filled with a transparent material.
@@ -48,13 +53,20 @@ impl ObjectIndex {
         let around_the_eye = transparent.iter().copied().filter(may_hold_eye).collect();
         let skew = objects.iter().map(|object| object.solid.skew).fold(1.0, f64::max);
         let blur = Blur { skew, reach: view.reach() };
+        let opaque: Vec<_> = objects.iter().map(|object| !object.surface_materials().any(lets_through)).collect();
+        let touching = touching(&extents, &transparent);
+        let ball = |object: usize| objects[object].solid.enclosure().worthwhile_ball();
+        let balls: Vec<_> =
+            (0..objects.len()).map(|object| ball(object).filter(|_| touching[object].is_empty())).collect();
         Self {
-            hierarchy: Hierarchy::new(&boxes),
+            hierarchy: Hierarchy::new(&boxes).with_balls(|item| balls[bounded[item]]),
             bounded,
             unbounded,
-            opaque: objects.iter().map(|object| !object.surface_materials().any(lets_through)).collect(),
+            all_opaque: transparent.is_empty() && !opaque.contains(&false),
+            opaque,
             projections: objects.iter().map(|object| Projection::new(view, &object.solid.hull(), blur)).collect(),
-            touching: touching(&extents, &transparent),
+            touching,
+            balls,
             transparent,
             around_the_eye,
             eye_reach,

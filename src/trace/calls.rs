@@ -11,6 +11,9 @@ use glam::{DVec2, DVec3};
 pub trait Repertoire: Copy + Sync {
     /// The set.
     const EFFECTS: Effects;
+
+    /// Whether objects may let light through.
+    const TRANSPARENCY: bool;
 }
 
 /// All effects of this build.
@@ -19,14 +22,17 @@ pub struct Every;
 
 impl Repertoire for Every {
     const EFFECTS: Effects = Effects::BUILT;
+    const TRANSPARENCY: bool = true;
 }
 
-/// Shadows alone: a scene that calls for nothing else does not even pay for being asked.
+/// Mirrors, lenses and shadows among opaque objects in plain colours: a scene that calls for nothing else does not even pay for
+/// being asked.
 #[derive(Clone, Copy, Debug)]
-pub struct Plain;
+pub struct Opaque;
 
-impl Repertoire for Plain {
-    const EFFECTS: Effects = Effects::PLAIN;
+impl Repertoire for Opaque {
+    const EFFECTS: Effects = Effects::OPAQUE.and(Effects::BUILT);
+    const TRANSPARENCY: bool = false;
 }
 
 impl<E: Repertoire> Tracer<'_, E> {

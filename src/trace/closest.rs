@@ -94,7 +94,7 @@ impl<E: Repertoire> Tracer<'_, E> {
         let mut found = Vec::new();
         for index in self.reached(&course, recorder) {
             let list = self.intersect(index, ray, &course, recorder);
-            let ahead = ray.ahead(index, self.scene, &list);
+            let ahead = self.ahead(ray, index, &list);
             ahead.report(&self.scene.objects[index], recorder);
             if !list.is_empty() || !ahead.list.is_empty() {
                 found.push(Found { object: index, list, ahead });

@@ -12,9 +12,12 @@ use super::closest::Surface;
 use super::pixel::{Aim, frame_bindings, place_lines};
 use super::ray::{Ray, Tracer};
 use crate::record::{Confusion, Effect, Entry, Recorder, What};
-use crate::sample::{Aperture, Purpose};
+use crate::sample::{Aperture, Purpose, Stream, concentric_disc};
 use crate::scene::{Glance, Lens};
 use glam::DVec3;
+
+/// Points of the lens that are worked out together. More would be idle where a pixel takes few samples.
+pub(super) const LENS_POINTS: usize = 8;
 
 impl<'a, E: Repertoire> Tracer<'a, E> {
     /// The lens, where the scene calls for one.
@@ -30,13 +33,17 @@ impl<'a, E: Repertoire> Tracer<'a, E> {
     pub(super) fn ray_through_lens(
         &self,
         lens: &Lens,
+        at: [f64; 2],
         aim: &Aim,
         place: [f64; 2],
         beam: Option<Beam>,
         recorder: &mut impl Recorder,
     ) -> Ray {
         let camera = &self.scene.camera;
-        let at = self.lens_point(lens, aim, recorder);
+        Self::enter(Effect::DepthOfField, recorder);
+        if self.has_shape(lens) {
+            Self::enter(Effect::ApertureShape, recorder);
+        }
         let [across, upwards] = at.map(|x| x * lens.radius);
         let offset = camera.right * across + camera.up * upwards;
         let through = |direction: DVec3| direction - offset / lens.focus;
@@ -60,15 +67,27 @@ impl<'a, E: Repertoire> Tracer<'a, E> {
         ray
     }
 
-    /// A point of the lens's opening, in units of its radius.
-    fn lens_point(&self, lens: &Lens, aim: &Aim, recorder: &mut impl Recorder) -> [f64; 2] {
-        Self::enter(Effect::DepthOfField, recorder);
-        let square = aim.stream.square(Purpose::Lens);
-        if lens.aperture == Aperture::Disc || !self.calls_for(Effect::ApertureShape) {
-            return Aperture::Disc.point(square);
+    /// The points of the lens's opening, in units of its radius, for the samples of a pixel from `first` on.
+    ///
+    /// Each takes its time, as every step of it waits for the one before; several side by side take hardly more.
+    #[inline(never)]
+    pub(super) fn lens_points(&self, lens: &Lens, stream: Stream, first: u32) -> [[f64; 2]; LENS_POINTS] {
+        let mut points = [[0.0; 2]; LENS_POINTS];
+        for (number, point) in (first..).zip(&mut points) {
+            *point = stream.sample(number).square(Purpose::Lens);
         }
-        Self::enter(Effect::ApertureShape, recorder);
-        lens.aperture.point(square)
+        if self.has_shape(lens) {
+            return points.map(|square| lens.aperture.point(square));
+        }
+        for point in &mut points {
+            *point = concentric_disc(*point);
+        }
+        points
+    }
+
+    /// Whether the lens's opening is other than a disc, and counts.
+    fn has_shape(&self, lens: &Lens) -> bool {
+        self.calls_for(Effect::ApertureShape) && lens.aperture != Aperture::Disc
     }
 
     fn describe_lens(&self, lens: &Lens, at: [f64; 2], aim: &Aim, straight: DVec3) -> Entry {

@@ -36,6 +36,9 @@ impl MediaCrossing {
 impl<E: Repertoire> Tracer<'_, E> {
     /// The transparent objects that the eye is inside, in the order in which a ray from far behind it entered them.
     pub(super) fn media_around(&self, eye: DVec3, direction: DVec3) -> MediaStack {
+        if !E::TRANSPARENCY {
+            return MediaStack::default();
+        }
         let index = &self.scene.index;
         let is_eye = eye.distance(self.scene.camera.eye) <= index.eye_reach;
         let candidates = if is_eye { &index.around_the_eye } else { &index.transparent };
@@ -60,6 +63,9 @@ impl<E: Repertoire> Tracer<'_, E> {
 
     /// The media before and behind the surface, by the scene's policy.
     pub(super) fn cross_media(&self, ray: &Ray, surface: &Surface, recorder: &mut impl Recorder) -> MediaCrossing {
+        if !E::TRANSPARENCY {
+            return MediaCrossing { before: None, after: None, changed: None, hidden: false };
+        }
         let before = self.current_medium(&ray.media);
         let bounds_a_medium = self.is_transparent(surface.object) && surface.sense != Sense::Touch;
         if !bounds_a_medium {
@@ -86,6 +92,9 @@ impl<E: Repertoire> Tracer<'_, E> {
     /// Of transparent objects that have a boundary in the place of the closest hit, the boundary of the first in the object
     /// list: rounding must not decide which of them is seen.
     pub(super) fn first_of_interface(&self, ray: &Ray, closest: Closest) -> Closest {
+        if !E::TRANSPARENCY {
+            return closest;
+        }
         let shared = self.sharing(ray, &closest);
         shared.into_iter().next().filter(|first| first.object < closest.object).unwrap_or(closest)
     }
@@ -110,7 +119,7 @@ impl<E: Repertoire> Tracer<'_, E> {
         let shares = |&other: &usize| {
             let solid = &self.scene.objects[other].solid;
             let list = solid.inside_by(self.scene.solving, ray.origin, ray.direction);
-            let (boundary, sense) = ray.ahead(other, self.scene, &list).list.first()?;
+            let (boundary, sense) = self.ahead(ray, other, &list).list.first()?;
             let normal_there = solid.normal(&boundary, point);
             let slope = normal.dot(ray.direction).abs().max(normal_there.dot(ray.direction).abs());
             let bound = own_blur + blur(&boundary, ray.direction, normal_there, point);

@@ -37,7 +37,7 @@ mod tally;
 mod tree;
 
 pub use beam::Beam;
-pub use calls::{Every, Plain, Repertoire};
+pub use calls::{Every, Opaque, Repertoire};
 pub use closest::Surface;
 pub use departure::{Ahead, Departure};
 pub use digest::digests;

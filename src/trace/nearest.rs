@@ -35,7 +35,7 @@ impl<E: Repertoire> Tracer<'_, E> {
         let course = self.course(ray);
         let mut shade = Shade::default();
         let mut ask = |object: usize, is_met: bool| {
-            if self.scene.index.opaque[object] {
+            if !E::TRANSPARENCY || self.scene.index.opaque[object] {
                 shade.is_dark |= self.blocks(object, ray, &course, is_met, limit, recorder);
             } else {
                 let ahead = self.ahead_in(object, ray, &course, is_met, recorder);
@@ -44,7 +44,7 @@ impl<E: Repertoire> Tracer<'_, E> {
             if shade.is_dark { f64::NEG_INFINITY } else { limit }
         };
         match self.sights.and_then(|sights| sights.lights[light].as_ref()?.before(ray.origin)) {
-            Some(candidates) => self.for_each_before_the_light(ray, candidates, ask),
+            Some(candidates) => self.for_each_before_the_light(ray, &course, candidates, ask),
             None => self.for_each_in_the_way(ray, &course, limit, &mut ask),
         }
         shade.share()
@@ -54,12 +54,14 @@ impl<E: Repertoire> Tracer<'_, E> {
     fn for_each_before_the_light<'b>(
         &self,
         ray: &Ray,
+        course: &Course,
         candidates: impl Iterator<Item = &'b Candidate>,
         mut ask: impl FnMut(usize, bool) -> f64,
     ) {
         let departed = ray.departure.map(|departure| departure.object);
         let unbounded = self.scene.index.unbounded.iter().copied();
-        let seen = candidates.map(|candidate| (candidate.object, true));
+        let seen = candidates.filter(|candidate| !self.passes_by(course, candidate.object));
+        let seen = seen.map(|candidate| (candidate.object, true));
         let others = unbounded.map(|object| (object, false)).chain(seen);
         let others = others.filter(|&(object, _)| departed != Some(object));
         for (object, is_met) in departed.map(|object| (object, false)).into_iter().chain(others) {
@@ -67,6 +69,12 @@ impl<E: Repertoire> Tracer<'_, E> {
                 return;
             }
         }
+    }
+
+    /// Whether the ray surely passes the object's ball outside.
+    #[inline]
+    fn passes_by(&self, course: &Course, object: usize) -> bool {
+        self.scene.index.balls[object].is_some_and(|ball| course.passes_by(&ball))
     }
 
     /// Shows the objects that may be in the way of a ray to `ask`, with whether it is known that the ray meets the object's
@@ -82,7 +90,7 @@ impl<E: Repertoire> Tracer<'_, E> {
         }
         let seen_from_the_eye = |candidate: &Candidate| {
             let is_before = candidate.depth <= limit;
-            if is_before {
+            if is_before && !self.passes_by(course, candidate.object) {
                 limit = limit.min(ask(candidate.object, true));
             }
             is_before
@@ -126,7 +134,7 @@ impl<E: Repertoire> Tracer<'_, E> {
         is_met: bool,
         recorder: &mut R,
     ) -> Option<(Boundary, Sense)> {
-        if ray.starts_at(object, self.scene) {
+        if self.starts_at(ray, object) {
             self.ahead_in(object, ray, course, is_met, recorder).list.first()
         } else {
             self.scene.objects[object].solid.first_in_front(course, is_met, recorder)
@@ -167,17 +175,21 @@ impl<E: Repertoire> Tracer<'_, E> {
             return Ahead::default();
         }
         let list = solid.inside_as_asked(course, is_met, recorder);
-        ray.ahead(object, self.scene, &list)
+        self.ahead(ray, object, &list)
     }
 }
 
 /// Shows candidates to `ask` until it has seen enough; whether there is a list of them.
+#[inline(always)]
 fn ask_while<'a>(
     candidates: Option<impl Iterator<Item = &'a Candidate>>,
-    ask: impl FnMut(&'a Candidate) -> bool,
+    mut ask: impl FnMut(&'a Candidate) -> bool,
 ) -> bool {
-    candidates.is_some_and(|mut candidates| {
-        let _ = candidates.all(ask);
-        true
-    })
+    let Some(candidates) = candidates else { return false };
+    for candidate in candidates {
+        if !ask(candidate) {
+            break;
+        }
+    }
+    true
 }

@@ -80,7 +80,11 @@ impl<E: Repertoire> Tracer<'_, E> {
         crossing: &MediaCrossing,
         recorder: &mut R,
     ) {
-        if self.scene.media != MediaPolicy::Forbid || ray.media.is_empty() || surface.sense != Sense::Enter {
+        if !E::TRANSPARENCY
+            || self.scene.media != MediaPolicy::Forbid
+            || ray.media.is_empty()
+            || surface.sense != Sense::Enter
+        {
             return;
         }
         self.report_overlaps_of(ray, surface, crossing, recorder);

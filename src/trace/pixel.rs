@@ -17,9 +17,9 @@ pub fn trace_pixel(scene: &Scene, x: u32, y: u32, recorder: &mut impl Recorder) 
 
 /// The same with a tracer that is there.
 pub fn trace_pixel_with<R: Recorder>(tracer: &Tracer, x: u32, y: u32, recorder: &mut R) -> Rgb {
-    match tracer.plain() {
+    match tracer.opaque() {
         // What is told does not depend on it, and one copy of the code that tells is enough.
-        Some(plain) if !R::RECORDING => trace_pixel_as(&plain, [x, y], recorder),
+        Some(opaque) if !R::RECORDING => trace_pixel_as(&opaque, [x, y], recorder),
         _ => trace_pixel_as(tracer, [x, y], recorder),
     }
 }
@@ -74,6 +74,8 @@ pub(super) struct Aim {
     pub at: [f64; 2],
     /// The side of the square about it that is this ray's share of the picture, in pixels.
     pub beam_side: f64,
+    /// The point of the lens's opening that it starts from, in units of the lens's radius, where there is a lens.
+    pub on_lens: Option<[f64; 2]>,
     /// The random numbers.
     pub stream: Stream,
 }
@@ -81,7 +83,7 @@ pub(super) struct Aim {
 impl Aim {
     /// The centre of a pixel, for all of the pixel.
     pub fn centre([x, y]: [u32; 2], stream: Stream) -> Self {
-        Self { at: [f64::from(x) + 0.5, f64::from(y) + 0.5], beam_side: 1.0, stream }
+        Self { at: [f64::from(x) + 0.5, f64::from(y) + 0.5], beam_side: 1.0, on_lens: None, stream }
     }
 }
 
@@ -101,8 +103,8 @@ impl<E: Repertoire> Tracer<'_, E> {
             let corner = aim.at.map(|middle| middle - 0.5 * aim.beam_side);
             Beam::through_square(camera, image, corner, aim.beam_side)
         });
-        if let Some(lens) = self.lens() {
-            return self.ray_through_lens(lens, aim, place, beam, recorder);
+        if let (Some(lens), Some(at)) = (self.lens(), aim.on_lens) {
+            return self.ray_through_lens(lens, at, aim, place, beam, recorder);
         }
         let ray = Ray {
             place: Some(Glance { place, on_lens: None }),

@@ -1,7 +1,7 @@
 //! A ray and the one function that finds the colour that it brings back.
 
 use super::beam::Beam;
-use super::calls::{Every, Plain, Repertoire};
+use super::calls::{Every, Opaque, Repertoire};
 use super::closest::Surface;
 use super::departure::{Ahead, Departure};
 use super::path::Answer;
@@ -90,26 +90,6 @@ impl Ray {
     pub(super) fn leaves_for_good(&self, index: usize, solid: &Solid) -> bool {
         self.departure.is_some_and(|departure| departure.object == index && departure.is_for_good(solid))
     }
-
-    /// Which of an object's boundaries along the ray count. `scene` says which objects may share a boundary.
-    pub(super) fn ahead(&self, index: usize, scene: &Scene, list: &IntervalList) -> Ahead {
-        let solid = &scene.objects[index].solid;
-        let line = [self.origin, self.direction];
-        let list_from = |origin| solid.inside_by(scene.solving, origin, self.direction);
-        match self.departure {
-            Some(departure) if departure.object == index => departure.ahead(solid, line, list, list_from),
-            Some(departure) if scene.index.touching[departure.object].contains(&index) => {
-                departure.ahead_in_neighbour(solid, line, list, self.media.contains(index), list_from)
-            }
-            _ => Ahead::of(list),
-        }
-    }
-
-    /// Whether the ray starts on the object, or on one that may share a boundary with it.
-    pub(super) fn starts_at(&self, object: usize, scene: &Scene) -> bool {
-        let touches = |departed: usize| departed == object || scene.index.touching[departed].contains(&object);
-        self.departure.is_some_and(|departure| touches(departure.object))
-    }
 }
 
 /// Traces rays through a scene, with code for the effects of a repertoire.
@@ -174,11 +154,11 @@ impl<'a> Tracer<'a> {
         Self { sights: Some(sights), ..self }
     }
 
-    /// The same tracer without code for anything but the plain effects; none where the scene calls for others.
+    /// The same tracer without code for anything but opaque objects in plain colours; none where the scene has others.
     #[inline]
-    pub(super) const fn plain(&self) -> Option<Tracer<'a, Plain>> {
+    pub(super) const fn opaque(&self) -> Option<Tracer<'a, Opaque>> {
         let Self { scene, sights, .. } = *self;
-        if scene.effects.are_within(Plain::EFFECTS) {
+        if scene.effects.are_within(Opaque::EFFECTS) && scene.index.all_opaque {
             Some(Tracer { scene, sights, repertoire: PhantomData })
         } else {
             None
@@ -238,6 +218,33 @@ impl<'a, E: Repertoire> Tracer<'a, E> {
             Some(surface) => self.find_colour(ray, surface, recorder),
             None => Answer::Colour(self.see_background(ray, recorder)),
         }
+    }
+
+    /// Which of an object's boundaries along the ray count.
+    pub(super) fn ahead(&self, ray: &Ray, index: usize, list: &IntervalList) -> Ahead {
+        let solid = &self.scene.objects[index].solid;
+        let line = [ray.origin, ray.direction];
+        let list_from = |origin| solid.inside_by(self.scene.solving, origin, ray.direction);
+        match ray.departure {
+            Some(departure) if departure.object == index => departure.ahead(solid, line, list, list_from),
+            Some(departure) if self.may_touch(departure.object, index) => {
+                departure.ahead_in_neighbour(solid, line, list, ray.media.contains(index), list_from)
+            }
+            _ => Ahead::of(list),
+        }
+    }
+
+    /// Whether the ray starts on the object, or on one that may share a boundary with it.
+    #[inline]
+    pub(super) fn starts_at(&self, ray: &Ray, object: usize) -> bool {
+        let touches = |departed: usize| departed == object || self.may_touch(departed, object);
+        ray.departure.is_some_and(|departure| touches(departure.object))
+    }
+
+    /// Whether two transparent objects may share a boundary.
+    #[inline]
+    fn may_touch(&self, one: usize, other: usize) -> bool {
+        E::TRANSPARENCY && self.scene.index.touching[one].contains(&other)
     }
 
     /// A ray from the eye, in the media that the eye is inside.
@@ -331,6 +338,7 @@ pub(super) fn describe_step(number: u8) -> What {
 }
 
 /// Runs one of the six steps. For the camera ray the step is an event of its own, the first level of a pixel's tree.
+#[inline(always)]
 pub(super) fn step<R: Recorder, T>(ray: &Ray, number: u8, recorder: &mut R, work: impl FnOnce(&mut R) -> T) -> T {
     if R::RECORDING && ray.kind == RayKind::Camera {
         recorder.event(work, |_| Entry::new(describe_step(number)))

@@ -1,6 +1,7 @@
 //! Several samples of a pixel: a ray for each, and the mean of what they bring back.
 
 use super::calls::Repertoire;
+use super::lens::LENS_POINTS;
 use super::pixel::Aim;
 use super::ray::Tracer;
 use crate::record::{Average, Counter, Effect, Entry, Recorder, Sample, What};
@@ -130,11 +131,15 @@ impl<E: Repertoire> Tracer<'_, E> {
         let stop = loop {
             // Each stands for its part of the pixel, as many as there will be.
             let beam_side = 1.0 / f64::from(target).sqrt();
-            for number in gathered.count()..target.saturating_mul(together) {
-                let aim = Aim { beam_side, ..Aim::centre(pixel, stream.sample(number)) };
-                let place = several.then(|| stream.sample(number / together));
-                let (weight, colour) = self.trace_sample(aim, number, place, recorder);
-                gathered.add(weight, colour);
+            for first in (gathered.count()..target.saturating_mul(together)).step_by(LENS_POINTS) {
+                let on_lens = self.lens().map(|lens| self.lens_points(lens, stream, first));
+                for (number, k) in (first..target.saturating_mul(together)).zip(0..LENS_POINTS) {
+                    let on_lens = on_lens.map(|points| points[k]);
+                    let aim = Aim { beam_side, on_lens, ..Aim::centre(pixel, stream.sample(number)) };
+                    let place = several.then(|| stream.sample(number / together));
+                    let (weight, colour) = self.trace_sample(aim, number, place, recorder);
+                    gathered.add(weight, colour);
+                }
             }
             match stop(&gathered, sampling.adaptive) {
                 Some(stop) => break stop,

@@ -144,7 +144,7 @@ impl<'a, E: Repertoire> Tracer<'a, E> {
                 continue;
             }
             let list = solid.inside_as_asked(&course, false, &mut NullRecorder);
-            let ahead = ray.ahead(object, self.scene, &list).list;
+            let ahead = self.ahead(ray, object, &list).list;
             let bounds = ahead.boundaries().into_iter().filter(|(boundary, _)| boundary.t < limit);
             crossed
                 .extend(bounds.map(|(boundary, sense)| (object, boundary, sense)).filter(|end| end.2 != Sense::Touch));

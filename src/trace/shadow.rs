@@ -122,7 +122,7 @@ impl<E: Repertoire> Tracer<'_, E> {
         for index in self.reached(&course, recorder) {
             let object = &self.scene.objects[index];
             let list = self.intersect(index, shadow, &course, recorder);
-            let ahead = shadow.ahead(index, self.scene, &list);
+            let ahead = self.ahead(shadow, index, &list);
             ahead.report(object, recorder);
             share *= self.passed(shadow, index, &ahead, limit, recorder);
             if share == 0.0 {
