@@ -1,5 +1,8 @@
 //! A node: boxes and balls, eight side by side.
-#![expect(clippy::inline_always, reason = "measured: what is side by side would go through memory on its way to a call")]
+#![expect(
+    clippy::inline_always,
+    reason = "measured: what is side by side would go through memory on its way to a call"
+)]
 
 use super::super::course::Slabs;
 use super::super::{Ball, Extent};
