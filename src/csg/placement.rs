@@ -94,7 +94,10 @@ impl Placement {
     #[must_use]
     #[inline]
     pub fn world_normal(&self, generic_normal: DVec3) -> DVec3 {
-        unit(self.ray_map.transposed_vector(unit(generic_normal).to_array()).into())
+        // Of a length that is neither too large nor too small for what follows it need not be made a unit first.
+        let is_ordinary = (1e-100..1e100).contains(&generic_normal.length_squared());
+        let normal = if is_ordinary { generic_normal } else { unit(generic_normal) };
+        unit(self.ray_map.transposed_vector(normal.to_array()).into())
     }
 
     /// The inverse as three rows of four, as it is shown.

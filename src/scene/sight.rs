@@ -208,7 +208,8 @@ impl LightSight {
 
     /// The objects that may stand between the light and a point. None where that is not known.
     #[must_use]
-    #[inline]
+    #[inline(always)]
+    #[expect(clippy::inline_always, reason = "measured: what it returns is large")]
     pub fn before(&self, point: DVec3) -> Option<impl Iterator<Item = &Candidate>> {
         let offset = point - self.position;
         let sizes = offset.abs();

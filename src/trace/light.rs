@@ -2,7 +2,6 @@
 
 use super::calls::Repertoire;
 use super::closest::Surface;
-use super::departure::Departure;
 use super::finish::Finish;
 use super::highlight::Highlight;
 use super::ray::{Components, Ray, Tracer};
@@ -94,8 +93,7 @@ impl<E: Repertoire> Tracer<'_, E> {
         let Shaded { ray, surface, finish } = *place;
         let n_dot_l = surface.n_shading.dot(way.towards);
         let share = if n_dot_l > 0.0 {
-            let departure = Some(Departure::new(surface, ray.direction, way.direction));
-            self.arriving(&Start { ray, origin: surface.point, departure }, way, recorder)
+            self.arriving(&Start { ray, origin: surface.point, surface: Some(surface) }, way, recorder)
         } else {
             Rgb::ZERO
         };

@@ -47,7 +47,7 @@ impl<E: Repertoire> Tracer<'_, E> {
             Some(candidates) => self.for_each_before_the_light(ray, &course, candidates, ask),
             None => self.for_each_in_the_way(ray, &course, limit, &mut ask),
         }
-        shade.share()
+        if E::TRANSPARENCY { shade.share() } else { f64::from(!shade.is_dark) }
     }
 
     /// Shows the objects that may stand before a light to `ask`, until it returns a time before everything.
@@ -72,7 +72,7 @@ impl<E: Repertoire> Tracer<'_, E> {
     }
 
     /// Whether the ray surely passes the object's ball outside.
-    #[inline]
+    #[inline(always)]
     fn passes_by(&self, course: &Course, object: usize) -> bool {
         self.scene.index.balls[object].is_some_and(|ball| course.passes_by(&ball))
     }

@@ -107,7 +107,7 @@ impl<E: Repertoire> Tracer<'_, E> {
             .branch(RayKind::Scattered as u32)
             .square(Purpose::Light(u32::try_from(index).unwrap_or(u32::MAX)));
         let way = Way::new(&self.scene.lights, index, turn.point, place);
-        let start = Start { ray: turn.ray, origin: turn.point, departure: None };
+        let start = Start { ray: turn.ray, origin: turn.point, surface: None };
         let arriving = light.colour * self.arriving(&start, &way, recorder);
         let cosine = turn.onward.dot(way.towards);
         let value = turn.phase.value(cosine);

@@ -1,6 +1,7 @@
 //! Shadow rays: what arrives from a light at a point, be it on a surface or in a medium.
 
 use super::calls::Repertoire;
+use super::closest::Surface;
 use super::departure::{Ahead, Departure};
 use super::ray::{Ray, Tracer};
 use crate::record::{Counter, Effect, Entry, RayKind, Recorder, What};
@@ -14,8 +15,8 @@ pub(super) struct Start<'a> {
     pub ray: &'a Ray,
     /// The point.
     pub origin: DVec3,
-    /// The boundary that the point lies on, if it lies on one.
-    pub departure: Option<Departure>,
+    /// The surface that the point lies on, if it lies on one.
+    pub surface: Option<&'a Surface>,
 }
 
 /// The way to a point of a light.
@@ -84,7 +85,7 @@ impl<E: Repertoire> Tracer<'_, E> {
         if !self.calls_for(way.effect) {
             return Rgb::ONE;
         }
-        let Start { ray, origin, departure } = *start;
+        let Start { ray, origin, surface } = *start;
         let shadow = Ray {
             kind: RayKind::Shadow,
             origin,
@@ -92,7 +93,7 @@ impl<E: Repertoire> Tracer<'_, E> {
             depth: ray.depth + 1,
             weight: ray.weight,
             budget: 0,
-            departure,
+            departure: surface.map(|surface| Departure::new(surface, ray.direction, way.direction)),
             media: ray.media.clone(),
             place: None,
             beam: None,
