@@ -8,7 +8,8 @@
 //! Applications 6(9), 1986; the vista buffer is the same idea for the eye.
 
 use super::projection::{Blur, View};
-use super::{Camera, Light, LightKind, Object, Projection, Scene};
+use super::{Camera, Light, LightKind, Object, ObjectIndex, Projection, Scene};
+use crate::csg::{Ball, Course};
 use glam::{DVec2, DVec3};
 
 /// An object that may be seen.
@@ -16,6 +17,8 @@ use glam::{DVec2, DVec3};
 pub struct Candidate {
     /// Its rectangle.
     pub projection: Projection,
+    /// Its ball, where that is worthwhile.
+    ball: Option<Ball>,
     /// No point of it is nearer, measured along the view.
     pub depth: f64,
     /// Its place in the object list.
@@ -24,7 +27,14 @@ pub struct Candidate {
 
 impl Candidate {
     /// None where the object is wholly behind the eye or beside the rectangle from −`half` to `half`.
-    fn new(view: View, half: DVec2, objects: &[Object], object: usize, blur: Blur) -> Option<Self> {
+    fn new(
+        view: View,
+        half: DVec2,
+        objects: &[Object],
+        index: &ObjectIndex,
+        object: usize,
+        blur: Blur,
+    ) -> Option<Self> {
         let camera = view.camera;
         let corners = objects[object].solid.hull();
         let depths = corners.map(|corner| (corner - camera.eye).dot(camera.forward));
@@ -35,14 +45,30 @@ impl Candidate {
         let projection = Projection::new(view, &corners, blur);
         let picture = Projection { low: -half, high: half, slides: [0.0; 2] };
         let is_seen = farthest >= -error && projection.slid_all_ways(view.radius()).meets(&picture);
-        is_seen.then_some(Self { projection, depth: nearest - error, object })
+        is_seen.then_some(Self { projection, ball: index.balls[object], depth: nearest - error, object })
+    }
+
+    /// Whether a ray may meet it whose place its rectangle, as `holds` says, holds or not. A ball tells more than a rectangle, and
+    /// one answer is guessed wrong less often than two.
+    #[must_use]
+    #[inline(always)]
+    #[expect(clippy::inline_always, reason = "measured: asked of every candidate")]
+    pub fn may_be_met(&self, course: &Course, holds: impl FnOnce(&Projection) -> bool) -> bool {
+        match &self.ball {
+            Some(ball) => !course.passes_by(ball),
+            None => holds(&self.projection),
+        }
     }
 }
 
-/// A rectangle of the image plane at distance 1, cut into cells.
+/// A rectangle of the image plane at distance 1, and within it one that holds all that is seen, cut into cells.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sight {
+    /// The whole rectangle reaches from minus this to this.
+    half: DVec2,
+    /// The corners of the one that is cut into cells.
     low: DVec2,
+    high: DVec2,
     cells_per_unit: DVec2,
     columns: usize,
     rows: usize,
@@ -50,7 +76,7 @@ pub struct Sight {
     radius: f64,
     /// The nearest first.
     candidates: Vec<Candidate>,
-    /// Where each cell's list begins, and where the last one's ends.
+    /// Where each cell's list begins, and where the last one's ends; then once more, for a list of nothing.
     starts: Vec<u32>,
     /// For each cell the places of its candidates, ascending.
     lists: Vec<u32>,
@@ -67,13 +93,14 @@ const CELLS: [usize; 2] = [1 << 10, 1 << 18];
 const ENTRIES_PER_OBJECT: usize = 64;
 
 impl Sight {
-    /// The grid over the rectangle from −`half` to `half`, with the bounded objects in it.
+    /// What of the bounded objects is seen in the rectangle from −`half` to `half`.
     #[must_use]
-    pub fn new(view: View, half: DVec2, objects: &[Object], bounded: &[usize], blur: Blur) -> Self {
+    pub fn new(view: View, half: DVec2, objects: &[Object], index: &ObjectIndex, blur: Blur) -> Self {
+        let bounded = index.bounded.iter();
         let mut candidates: Vec<Candidate> =
-            bounded.iter().filter_map(|&object| Candidate::new(view, half, objects, object, blur)).collect();
+            bounded.filter_map(|&object| Candidate::new(view, half, objects, index, object, blur)).collect();
         candidates.sort_by(|a, b| a.depth.total_cmp(&b.depth));
-        let most = ENTRIES_PER_OBJECT * bounded.len() + CELLS[0];
+        let most = ENTRIES_PER_OBJECT * index.bounded.len() + CELLS[0];
         let mut wanted = (candidates.len() * CELLS_PER_OBJECT).clamp(CELLS[0], CELLS[1]);
         let mut sight = Self::empty(half, wanted, candidates, view.radius());
         while wanted > 1 && sight.entries() > most {
@@ -84,28 +111,21 @@ impl Sight {
         sight
     }
 
-    /// The candidates at a place, the nearest first; none where the place lies outside the grid.
+    /// The candidates in the cell of a place, the nearest first; none where the place lies outside the rectangle.
     #[must_use]
-    #[inline]
-    pub fn at(&self, place: [f64; 2]) -> Option<impl Iterator<Item = &Candidate>> {
-        Some(self.in_cell(place)?.filter(move |seen| seen.projection.holds(place)))
-    }
-
-    /// The same from a point of a lens.
-    #[must_use]
-    #[inline]
-    pub fn through_lens(&self, place: [f64; 2], on_lens: [f64; 2]) -> Option<impl Iterator<Item = &Candidate>> {
-        Some(self.in_cell(place)?.filter(move |seen| seen.projection.slid(on_lens).holds(place)))
-    }
-
-    /// The candidates in the cell of a place.
-    #[inline]
-    fn in_cell(&self, place: [f64; 2]) -> Option<impl Iterator<Item = &Candidate>> {
-        let [column, row] = self.cell(DVec2::from_array(place));
-        if !(column >= 0.0 && row >= 0.0 && column <= self.columns as f64 && row <= self.rows as f64) {
+    #[inline(always)]
+    #[expect(clippy::inline_always, reason = "measured: what it returns is large")]
+    pub fn around(&self, place: [f64; 2]) -> Option<impl Iterator<Item = &Candidate>> {
+        let place = DVec2::from_array(place);
+        let is_within = |low: DVec2, high: DVec2| place.cmpge(low).all() && place.cmple(high).all();
+        let cell = if is_within(self.low, self.high) {
+            let [column, row] = self.cell(place);
+            Self::index(column, self.columns) + Self::index(row, self.rows) * self.columns
+        } else if is_within(-self.half, self.half) {
+            self.columns * self.rows
+        } else {
             return None;
-        }
-        let cell = Self::index(column, self.columns) + Self::index(row, self.rows) * self.columns;
+        };
         let list = &self.lists[self.starts[cell] as usize..self.starts[cell + 1] as usize];
         Some(list.iter().map(|&k| &self.candidates[k as usize]))
     }
@@ -113,13 +133,14 @@ impl Sight {
     /// About so many cells, none of them filled.
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 1 and the most cells")]
     fn empty(half: DVec2, wanted: usize, candidates: Vec<Candidate>, radius: f64) -> Self {
-        let wanted = wanted as f64;
-        let columns = (wanted * half.x / half.y).sqrt().clamp(1.0, wanted).round();
+        let [low, high] = all_seen(half, &candidates, radius);
+        let (wanted, size) = (wanted as f64, high - low);
+        let columns = (wanted * size.x / size.y).sqrt().clamp(1.0, wanted).round();
         let rows = (wanted / columns).max(1.0).round();
-        let cells_per_unit = DVec2::new(columns, rows) / (2.0 * half);
+        let cells_per_unit = DVec2::new(columns, rows) / size;
         let (columns, rows) = (columns as usize, rows as usize);
         let (starts, lists) = (Vec::new(), Vec::new());
-        Self { low: -half, cells_per_unit, columns, rows, radius, candidates, starts, lists }
+        Self { half, low, high, cells_per_unit, columns, rows, radius, candidates, starts, lists }
     }
 
     /// A place in units of cells.
@@ -151,7 +172,7 @@ impl Sight {
 
     /// Sorts the candidates into their cells; each cell keeps their order.
     fn fill(&mut self) {
-        let mut starts = vec![0_u32; self.columns * self.rows + 1];
+        let mut starts = vec![0_u32; self.columns * self.rows + 2];
         self.for_each_entry(|cell, _| starts[cell + 1] += 1);
         for cell in 1..starts.len() {
             starts[cell] += starts[cell - 1];
@@ -175,6 +196,16 @@ impl Sight {
     }
 }
 
+/// The corners of the part of the rectangle from −`half` to `half` that the candidates can be seen in; of all of it where that
+/// part has no area.
+fn all_seen(half: DVec2, candidates: &[Candidate], radius: f64) -> [DVec2; 2] {
+    let corners = candidates.iter().map(|candidate| candidate.projection.slid_all_ways(radius));
+    let none = [DVec2::INFINITY, DVec2::NEG_INFINITY];
+    let [low, high] = corners.fold(none, |[low, high], seen| [low.min(seen.low), high.max(seen.high)]);
+    let (low, high) = (low.max(-half), high.min(half));
+    if low.cmplt(high).all() { [low, high] } else { [-half, half] }
+}
+
 /// What a point light sees, all around.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LightSight {
@@ -192,34 +223,36 @@ const REACH: f64 = 256.0;
 impl LightSight {
     /// The six grids around a light.
     #[must_use]
-    pub fn new(position: DVec3, objects: &[Object], bounded: &[usize], skew: f64) -> Self {
-        let size = bounded.iter().fold(position.abs().max_element(), |size, &object| {
+    pub fn new(position: DVec3, objects: &[Object], index: &ObjectIndex) -> Self {
+        let size = index.bounded.iter().fold(position.abs().max_element(), |size, &object| {
             let extent = objects[object].solid.extent();
             size.max(extent.low.abs().max_element()).max(extent.high.abs().max_element())
         });
         let reach = size * REACH;
-        let blur = Blur { skew, reach };
+        let blur = Blur { skew: index.skew, reach };
         let face = |k: usize| {
             let camera = face(position, k);
-            Sight::new(View { camera: &camera, lens: None }, DVec2::ONE, objects, bounded, blur)
+            Sight::new(View { camera: &camera, lens: None }, DVec2::ONE, objects, index, blur)
         };
         Self { position, faces: std::array::from_fn(face), reach }
     }
 
-    /// The objects that may stand between the light and a point. None where that is not known.
+    /// The objects that may stand between the light and a point, seen along the ray from the point to the light. None where that is
+    /// not known.
     #[must_use]
     #[inline(always)]
     #[expect(clippy::inline_always, reason = "measured: what it returns is large")]
-    pub fn before(&self, point: DVec3) -> Option<impl Iterator<Item = &Candidate>> {
+    pub fn before(&self, point: DVec3, course: &Course) -> Option<impl Iterator<Item = &Candidate>> {
         let offset = point - self.position;
         let sizes = offset.abs();
         let axis = if sizes.x >= sizes.y && sizes.x >= sizes.z { 0 } else { 1 + usize::from(sizes.z > sizes.y) };
         let depth = sizes[axis];
-        let [across, upwards] = [offset[(axis + 1) % 3] / depth, offset[(axis + 2) % 3] / depth];
+        let place = [offset[(axis + 1) % 3] / depth, offset[(axis + 2) % 3] / depth];
         let is_known = depth > 0.0 && point.abs().max_element() <= self.reach;
         let face = &self.faces[2 * axis + usize::from(offset[axis] > 0.0)];
-        let seen = if is_known { face.at([across, upwards])? } else { return None };
-        Some(seen.take_while(move |candidate| candidate.depth <= depth))
+        let seen = if is_known { face.around(place)? } else { return None };
+        let seen = seen.take_while(move |candidate| candidate.depth <= depth);
+        Some(seen.filter(move |seen| seen.may_be_met(course, |projection| projection.holds(place))))
     }
 }
 
@@ -248,12 +281,45 @@ impl Sights {
         let blur = Blur { skew: index.skew, reach: view.reach() };
         let half = DVec2::from(scene.camera.half_size(scene.image));
         let of_light = |light: &Light| match light.kind {
-            LightKind::Point(position) => Some(LightSight::new(position, &scene.objects, &index.bounded, index.skew)),
+            LightKind::Point(position) => Some(LightSight::new(position, &scene.objects, index)),
             LightKind::Directional(_) | LightKind::Area(_) => None,
         };
         Self {
-            eye: Sight::new(view, half, &scene.objects, &index.bounded, blur),
+            eye: Sight::new(view, half, &scene.objects, index, blur),
             lights: scene.lights.iter().map(of_light).collect(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::{embedded_scenes, load};
+
+    /// Places of which some lie in the cells, some beside them, and some outside the rectangle: steps that fill it evenly.
+    fn places(half: DVec2) -> impl Iterator<Item = [f64; 2]> {
+        let step = DVec2::new(0.754_877_666, 0.569_840_291);
+        (0..500).map(move |k| ((step * f64::from(k)).fract() * 2.4 - 1.2) * half).map(|place| place.to_array())
+    }
+
+    fn agrees_with_every_rectangle(sight: &Sight) {
+        for place in places(sight.half) {
+            let is_known = DVec2::from_array(place).abs().cmple(sight.half).all();
+            let objects = |seen: &mut dyn Iterator<Item = &Candidate>| {
+                seen.filter(|seen| seen.projection.holds(place)).map(|seen| seen.object).collect::<Vec<_>>()
+            };
+            let expected = is_known.then(|| objects(&mut sight.candidates.iter()));
+            let found = sight.around(place).map(|mut seen| objects(&mut seen));
+            assert_eq!(found, expected, "at {place:?}");
+        }
+    }
+
+    #[test]
+    fn at_every_place_all_whose_rectangles_hold_it_are_found_the_nearest_first() {
+        for embedded in embedded_scenes() {
+            let sights = Sights::new(&load(embedded.text, &embedded.name).unwrap());
+            agrees_with_every_rectangle(&sights.eye);
+            sights.lights.iter().flatten().flat_map(|light| &light.faces).for_each(agrees_with_every_rectangle);
         }
     }
 }

@@ -64,6 +64,10 @@ impl Highlight {
 
 /// (r · v)^f. Results too small for the fast power, and 0⁰, are left to the other one.
 fn phong(r_dot_v: f64, exponent: f64) -> f64 {
+    // So it is wherever the mirrored light goes away from the eye.
+    if r_dot_v == 0.0 && exponent > 0.0 {
+        return 0.0;
+    }
     let fast = power(r_dot_v, exponent);
     if fast > 0.0 { fast } else { portable::powf(r_dot_v, exponent) }
 }

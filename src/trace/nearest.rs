@@ -43,8 +43,8 @@ impl<E: Repertoire> Tracer<'_, E> {
             }
             if shade.is_dark { f64::NEG_INFINITY } else { limit }
         };
-        match self.sights.and_then(|sights| sights.lights[light].as_ref()?.before(ray.origin)) {
-            Some(candidates) => self.for_each_before_the_light(ray, &course, candidates, ask),
+        match self.sights.and_then(|sights| sights.lights[light].as_ref()?.before(ray.origin, &course)) {
+            Some(candidates) => self.for_each_before_the_light(ray, candidates, ask),
             None => self.for_each_in_the_way(ray, &course, limit, &mut ask),
         }
         if E::TRANSPARENCY { shade.share() } else { f64::from(!shade.is_dark) }
@@ -54,27 +54,19 @@ impl<E: Repertoire> Tracer<'_, E> {
     fn for_each_before_the_light<'b>(
         &self,
         ray: &Ray,
-        course: &Course,
         candidates: impl Iterator<Item = &'b Candidate>,
         mut ask: impl FnMut(usize, bool) -> f64,
     ) {
         let departed = ray.departure.map(|departure| departure.object);
         let unbounded = self.scene.index.unbounded.iter().copied();
-        let seen = candidates.filter(|candidate| !self.passes_by(course, candidate.object));
-        let seen = seen.map(|candidate| (candidate.object, true));
+        let seen = candidates.map(|candidate| (candidate.object, true));
         let others = unbounded.map(|object| (object, false)).chain(seen);
         let others = others.filter(|&(object, _)| departed != Some(object));
-        for (object, is_met) in departed.map(|object| (object, false)).into_iter().chain(others) {
+        for (object, is_met) in self.returned_to(ray).map(|object| (object, false)).into_iter().chain(others) {
             if ask(object, is_met) == f64::NEG_INFINITY {
                 return;
             }
         }
-    }
-
-    /// Whether the ray surely passes the object's ball outside.
-    #[inline(always)]
-    fn passes_by(&self, course: &Course, object: usize) -> bool {
-        self.scene.index.balls[object].is_some_and(|ball| course.passes_by(&ball))
     }
 
     /// Shows the objects that may be in the way of a ray to `ask`, with whether it is known that the ray meets the object's
@@ -85,12 +77,12 @@ impl<E: Repertoire> Tracer<'_, E> {
         let mut limit = limit;
         // The object that the ray starts on comes first: its boundaries may lie at t = 0, before its box begins.
         let others = index.unbounded.iter().copied().filter(|&object| departed != Some(object));
-        for object in departed.into_iter().chain(others) {
+        for object in self.returned_to(ray).into_iter().chain(others) {
             limit = limit.min(ask(object, false));
         }
-        let seen_from_the_eye = |candidate: &Candidate| {
+        let seen_from_the_eye = |candidate: &Candidate, glance: Glance| {
             let is_before = candidate.depth <= limit;
-            if is_before && !self.passes_by(course, candidate.object) {
+            if is_before && candidate.may_be_met(course, |projection| projection.holds_glance(glance)) {
                 limit = limit.min(ask(candidate.object, true));
             }
             is_before
@@ -109,14 +101,23 @@ impl<E: Repertoire> Tracer<'_, E> {
         }
     }
 
+    /// The object that the ray starts on, unless it leaves it for good.
+    #[inline(always)]
+    fn returned_to(&self, ray: &Ray) -> Option<usize> {
+        let departure = ray.departure?;
+        let solid = &self.scene.objects[departure.object].solid;
+        (!departure.is_for_good(solid)).then_some(departure.object)
+    }
+
     /// Shows the objects that a ray from the eye may meet to `ask`, the nearest first, for as long as it wants to see more.
     /// Along such a ray t is the depth. Returns whether it is known what the ray may meet.
-    fn ask_what_is_seen(&self, ray: &Ray, ask: impl FnMut(&Candidate) -> bool) -> bool {
-        let (Some(sights), Some(Glance { place, on_lens })) = (self.sights, ray.place) else { return false };
-        match on_lens {
-            None => ask_while(sights.eye.at(place), ask),
-            Some(on_lens) => ask_while(sights.eye.through_lens(place, on_lens), ask),
-        }
+    #[inline(always)]
+    fn ask_what_is_seen(&self, ray: &Ray, mut ask: impl FnMut(&Candidate, Glance) -> bool) -> bool {
+        let (Some(sights), Some(glance)) = (self.sights, ray.place) else { return false };
+        let Some(mut candidates) = sights.eye.around(glance.place) else { return false };
+        // It ends with the first one that `ask` has seen enough with.
+        candidates.all(|candidate| ask(candidate, glance));
+        true
     }
 
     /// Whether the object may be seen in the direction of a ray from the eye.
@@ -170,26 +171,7 @@ impl<E: Repertoire> Tracer<'_, E> {
         is_met: bool,
         recorder: &mut R,
     ) -> Ahead {
-        let solid = &self.scene.objects[object].solid;
-        if ray.leaves_for_good(object, solid) {
-            return Ahead::default();
-        }
-        let list = solid.inside_as_asked(course, is_met, recorder);
+        let list = self.scene.objects[object].solid.inside_as_asked(course, is_met, recorder);
         self.ahead(ray, object, &list)
     }
-}
-
-/// Shows candidates to `ask` until it has seen enough; whether there is a list of them.
-#[inline(always)]
-fn ask_while<'a>(
-    candidates: Option<impl Iterator<Item = &'a Candidate>>,
-    mut ask: impl FnMut(&'a Candidate) -> bool,
-) -> bool {
-    let Some(candidates) = candidates else { return false };
-    for candidate in candidates {
-        if !ask(candidate) {
-            break;
-        }
-    }
-    true
 }
