@@ -48,8 +48,8 @@ impl Candidate {
         is_seen.then_some(Self { projection, ball: index.balls[object], depth: nearest - error, object })
     }
 
-    /// Whether a ray may meet it whose place its rectangle, as `holds` says, holds or not. A ball tells more than a rectangle, and
-    /// one answer is guessed wrong less often than two.
+    /// Whether a ray may meet it; `holds` says whether a rectangle holds the place of that ray. A ball tells more than a
+    /// rectangle, and one answer is guessed wrong less often than two.
     #[must_use]
     #[inline(always)]
     #[expect(clippy::inline_always, reason = "measured: asked of every candidate")]

@@ -104,9 +104,8 @@ impl<E: Repertoire> Tracer<'_, E> {
     /// The object that the ray starts on, unless it leaves it for good.
     #[inline(always)]
     fn returned_to(&self, ray: &Ray) -> Option<usize> {
-        let departure = ray.departure?;
-        let solid = &self.scene.objects[departure.object].solid;
-        (!departure.is_for_good(solid)).then_some(departure.object)
+        let object = ray.departure?.object;
+        (!ray.leaves_for_good(object, &self.scene.objects[object].solid)).then_some(object)
     }
 
     /// Shows the objects that a ray from the eye may meet to `ask`, the nearest first, for as long as it wants to see more.
